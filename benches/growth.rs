@@ -93,7 +93,7 @@ fn brushes(c: &mut Criterion) {
         let paint = || {
             let swept = Arc::new(Swept::new(&way, 0.8).unwrap());
             let (mut plant, mut memory, provenance) = (trunk(), Memory::default(), Provenance::default());
-            let paint = Paint { swept, radius: 0.25, density: 1.0, seed: 1 };
+            let paint = Paint { swept, obstacles: None, radius: 0.25, density: 1.0, seed: 1 };
             paint.grow((&mut plant, &provenance), (&mut memory, 0), (&habit, Limits::default()), &|| false);
             plant
         };

@@ -218,3 +218,38 @@ fn growth_goes_toward_painted_light_and_away_from_shade() {
     assert!(text.contains("\"version\": 8") && text.contains("light_brush"));
     assert_eq!(sketch::read::from_bytes(text.as_bytes(), "lit.penstemon").unwrap().0, light(2.0));
 }
+
+#[test]
+fn nothing_is_painted_through_a_wall() {
+    let mut sketch = in_space();
+    sketch.species = Some("maple".to_owned());
+    let bare = built(&sketch);
+    // From a bough straight to the back.
+    let deep = 400.0;
+    let line = stroke(40, Tool::GrowthBrush, [689.7, 686.8, 266.9], [689.7, 686.8, 266.9 - deep], 40.0);
+    sketch.strokes.push(line);
+    let metres = bare.provenance.world_from_canvas.scale;
+    let foot = bare.plant.branches[0].points[0];
+    // Its front is in the middle of the stroke.
+    let front = (266.9 - 0.5 * deep) * metres;
+    let without = built(&sketch);
+    for (path, value) in
+        [("width", 50.0), ("height", 50.0), ("depth", 0.02), ("behind", f64::from(foot.z - front))]
+    {
+        sketch.params.insert(format!("obstacle.{path}"), value.into());
+    }
+    sketch.params.insert("obstacle.kind".to_owned(), "wall".into());
+    let with = built(&sketch);
+    let of_brush = |built: &Built, low: f32, high: f32| {
+        let new = &built.plant.branches[bare.plant.branches.len()..];
+        let points = new.iter().flat_map(|branch| &branch.points).map(|point| point.z);
+        points
+            .chain(built.plant.organs[bare.plant.organs.len()..].iter().map(|organ| organ.base().z))
+            .filter(|z| (low..high).contains(z))
+            .count()
+    };
+    let (behind, before) = ((f32::NEG_INFINITY, front - 0.02), (front, f32::INFINITY));
+    assert!(of_brush(&without, behind.0, behind.1) > 50, "without a wall it grows on");
+    assert_eq!(of_brush(&with, behind.0, behind.1), 0);
+    assert!(of_brush(&with, before.0, before.1) > 50, "before the wall it grows");
+}

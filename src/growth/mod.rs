@@ -48,7 +48,7 @@ pub use from_drawing::{DrawnCrowns, GrowthParams, Memory, Start, drawing, merge}
 pub use habit::{Habit, Schedule};
 pub use lead::lead_into;
 pub use limits::{Limits, Outcome};
-pub use obstacle::{Contact, ObstacleKind, ObstacleParams, Obstacles};
+pub use obstacle::{Contact, KeptObstacles, ObstacleKind, ObstacleParams, Obstacles};
 pub use resource::Field;
 pub use simulation::Simulation;
 pub use tree::Tree;

@@ -7,7 +7,7 @@
 
 use super::setup::Params;
 use crate::growth::brush::{Memory, Paint, Painted, prune};
-use crate::growth::{Habit, Lamp, Limits, PlantAtAge, Swept, drawing};
+use crate::growth::{Habit, Lamp, Limits, Obstacles, PlantAtAge, Swept, drawing};
 use crate::plant::{Provenance, WorldFromCanvas};
 use crate::quote;
 use crate::random::{Choice, mix};
@@ -16,12 +16,23 @@ use crate::species::Species;
 use glam::Vec3;
 use std::sync::Arc;
 
+/// What brushes are given beside a plant.
+pub(super) struct Given<'a> {
+    /// The drawing whose strokes they are.
+    pub(super) sketch: &'a Sketch,
+    /// What the drawing knows of the plant.
+    pub(super) provenance: &'a Provenance,
+    /// How the plant grew, if it did.
+    pub(super) habit: Option<Habit>,
+    /// What stands in the way.
+    pub(super) obstacles: Option<Arc<Obstacles>>,
+}
+
 /// Lets the strokes of a drawing's brushes work on its plant, and remarks what is odd about them; nothing if `stop` said yes.
-/// `habit` is how the plant grew, if it did.
 pub(super) fn brush(
     memory: &mut Memory,
     plant: &mut PlantAtAge,
-    (sketch, provenance, habit): (&Sketch, &Provenance, Option<Habit>),
+    Given { sketch, provenance, habit, obstacles }: Given<'_>,
     (species, params): (&Species, &Params),
     stop: &dyn Fn() -> bool,
 ) -> Option<Vec<Warning>> {
@@ -40,7 +51,8 @@ pub(super) fn brush(
         }
         let radius = brush.radius * world.scale;
         let seed = mix(Choice::BRUSH.key(sketch.seed), stroke.id);
-        let paint = Paint { swept: Arc::new(swept), radius, density: brush.density, seed };
+        let obstacles = obstacles.clone();
+        let paint = Paint { swept: Arc::new(swept), obstacles, radius, density: brush.density, seed };
         let with = (&habit, limits(plant));
         let how = paint.grow((plant, provenance), (memory, painted), with, stop);
         painted += 1;

@@ -9,12 +9,13 @@ use crate::anatomy::conventions::{ConventionParams, Habit};
 use crate::anatomy::{self, Anatomy};
 use crate::depth::{self, Given};
 use crate::growth::overlay::{Spot, Wanted};
-use crate::growth::{Memory, PlantAtAge, brush};
+use crate::growth::{KeptObstacles, Memory, PlantAtAge, brush};
 use crate::learned_depth;
 use crate::modelling::{self, DrawnWood};
-use crate::plant::{Plant, Provenance};
+use crate::plant::{Branch, Plant, Provenance};
 use crate::sketch::{Sketch, Warning, WoodPose};
 use crate::species::Species;
+use glam::Vec3;
 
 /// What is kept of a drawing from one build to the next.
 #[derive(Debug, Default)]
@@ -25,6 +26,7 @@ pub struct DrawingMemory {
     modelling: modelling::Cache,
     growth: Memory,
     brushes: brush::Memory,
+    obstacles: KeptObstacles,
 }
 
 impl DrawingMemory {
@@ -75,6 +77,7 @@ pub(super) fn produce(
         return None;
     }
     remarks.extend(proposed_species::proposal(sketch, &anatomy, &plant));
+    let obstacles = memory.obstacles.beside(&params.obstacle, foot(&plant.branches));
     let has_brushes = sketch.brush_strokes().next().is_some();
     let grows = growing::grows(&anatomy, species, params);
     if grows || has_brushes {
@@ -87,7 +90,7 @@ pub(super) fn produce(
                 (plant, &provenance),
                 (&anatomy, field.as_ref()),
                 (species, params),
-                sketch,
+                (sketch, obstacles.clone()),
                 &mut remarks,
                 stop,
             )
@@ -101,14 +104,10 @@ pub(super) fn produce(
         (PlantAtAge { plant, buds }, None, Vec::new())
     };
     modelling::pose_grown_wood((&mut made.plant, &mut made.buds), &continued, &mut poses, &mut wood.posed);
-    // What did not grow has it in its picture.
-    let obstacles = match growth {
-        Some(_) => memory.growth.obstacles().cloned(),
-        None => params.obstacle.beside(growing::foot(&made.plant.branches)),
-    };
     if has_brushes {
         let habit = memory.growth.habit().cloned();
-        let given = (sketch, &provenance, habit);
+        let (provenance, obstacles) = (&provenance, obstacles.clone());
+        let given = brushing::Given { sketch, provenance, habit, obstacles };
         let with = (species, params);
         let brushed =
             clock.time("brushes", || brushing::brush(&mut memory.brushes, &mut made, given, with, stop))?;
@@ -120,6 +119,12 @@ pub(super) fn produce(
     remarks.extend(modelling::poses_at_rest(&poses));
     let PlantAtAge { plant, buds } = made;
     Some(Produced { plant, buds, provenance, remarks, anatomy, growth, obstacles, wood, may_flower: true })
+}
+
+/// Where the first trunk of some wood stands, metres.
+fn foot(wood: &[Branch]) -> Vec3 {
+    let trunk = wood.iter().find(|branch| branch.parent.is_none());
+    trunk.and_then(|trunk| trunk.points.first()).copied().unwrap_or(Vec3::ZERO)
 }
 
 /// Adds branches that are drawn in space, and poses drawn wood.

@@ -8,13 +8,14 @@ use super::setup::Params;
 use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
-use crate::growth::{DrawnCrowns, Limits, Memory, Outcome, PlantAtAge, Start, drawing, foliage, merge};
+use crate::growth::{
+    DrawnCrowns, Limits, Memory, Obstacles, Outcome, PlantAtAge, Start, drawing, foliage, merge,
+};
 use crate::learned_depth::DepthField;
-use crate::plant::{Branch, Continued, Plant, Provenance};
+use crate::plant::{Continued, Plant, Provenance};
 use crate::quote;
-use crate::sketch::{Remark, Sketch, StrokeId, Warning};
+use crate::sketch::{Remark, Sketch, StrokeId, Warning, WoodName};
 use crate::species::Species;
-use glam::Vec3;
 use std::sync::Arc;
 
 /// Whether a drawing grows.
@@ -46,7 +47,7 @@ pub(super) fn grow_on(
     (drawn, provenance): (Plant, &Provenance),
     (anatomy, field): (&Anatomy, Option<&Arc<DepthField>>),
     (species, params): (&Species, &Params),
-    sketch: &Sketch,
+    (sketch, obstacles): (&Sketch, Option<Arc<Obstacles>>),
     remarks: &mut Vec<Warning>,
     stop: &dyn Fn() -> bool,
 ) -> Option<GrownDrawing> {
@@ -59,10 +60,9 @@ pub(super) fn grow_on(
         learned: field.map(|field| (field.in_world(world), params.depth.learned.crown)),
     };
     let wood = merge::wood(&drawn, &grows);
-    let behind = (params.obstacle.clone(), foot(&wood));
-    let start =
-        Start::new((&params.habit, growth), params.depth.world.height, (wood, crowns), behind, sketch.seed)
-            .lit(brushing::lamps(sketch, &world));
+    let with = (&params.habit, growth);
+    let start = Start::new(with, params.depth.world.height, (wood, crowns), obstacles, sketch.seed)
+        .lit(brushing::lamps(sketch, &world));
     let years = (growth.years >= 0.0).then_some(growth.years);
     let grown = memory.grow(&start, years, stop)?;
     let ages = Ages::new(grown.simulation, grown.age, grown.outcome);
@@ -77,15 +77,14 @@ pub(super) fn grow_on(
     }
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
-    let (made, continued) = merge::merged((drawn, provenance), &grows, &grown);
+    let posed = sketch.wood_poses.iter().filter_map(|pose| match pose.wood {
+        WoodName::Grown(name) => Some(name),
+        WoodName::Stroke(_) => None,
+    });
+    let posed = posed.collect();
+    let (made, continued) = merge::merged((drawn, provenance), &grows, &grown, &posed);
     remarks.extend(thinned_leaves(&made.plant, grown.simulation.limits(), stroke));
     Some(GrownDrawing { made, ages, continued })
-}
-
-/// Where the first trunk of some wood stands, metres.
-pub(super) fn foot(wood: &[Branch]) -> Vec3 {
-    let trunk = wood.iter().find(|branch| branch.parent.is_none());
-    trunk.and_then(|trunk| trunk.points.first()).copied().unwrap_or(Vec3::ZERO)
 }
 
 /// Why growth ended before what was asked for, at an age.

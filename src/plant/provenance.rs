@@ -64,7 +64,8 @@ pub enum Origin {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct GrownId(pub u64);
 
-/// A branch that grew and at this age runs on in the line of another one, because it is the thicker one where both fork.
+/// A branch that grew and at this age runs on in the line of another one: it is the thicker one where both fork, or the fork
+/// is still to grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Continued {
     /// What it is called.

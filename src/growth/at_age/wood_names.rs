@@ -16,14 +16,15 @@ use crate::growth::tree::{NONE, Tree};
 use crate::plant::{Branch, Continued, GrownId, Origin, Provenance};
 use crate::random::{Choice, mix};
 use glam::Vec3;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
-/// Names the branches that begin with a grown node, and says which others run on in their lines. They are those of the chains, in
-/// their order; `wood` are names of what the plant began with, `at` the places of the nodes.
+/// Names the branches that begin with a grown node, and says which of the `wanted` run on in the lines of others. They are those of
+/// the chains, in their order; `wood` are names of what the plant began with, `at` the places of the nodes.
 pub(crate) fn name_branches(
     branches: &mut [Branch],
     (tree, chains, at): (&Tree, &Chains, &[Vec3]),
     wood: &[u64],
+    wanted: &BTreeSet<u64>,
 ) -> Vec<Continued> {
     let names = names(tree, wood);
     for (index, branch) in branches.iter_mut().enumerate() {
@@ -32,18 +33,14 @@ pub(crate) fn name_branches(
             branch.origin = Origin::Grown(GrownId(names[first]));
         }
     }
-    let mut above = vec![0_u32; tree.len()];
-    tree.nodes
-        .parent
-        .iter()
-        .filter(|parent| **parent != NONE)
-        .for_each(|parent| above[*parent as usize] += 1);
+    if wanted.is_empty() {
+        return Vec::new();
+    }
     let continued = |node: usize| {
         let (chain, parent) = (chains.of_node[node], tree.nodes.parent[node]);
         let runs_on = chain != NONE && parent != NONE && chains.first(chain) as usize != node;
-        let name = GrownId(names[node]);
-        (runs_on && above[parent as usize] > 1).then(|| Continued {
-            name,
+        (runs_on && wanted.contains(&names[node])).then(|| Continued {
+            name: GrownId(names[node]),
             branch: chain as usize,
             from: at[parent as usize],
         })

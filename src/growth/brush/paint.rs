@@ -7,6 +7,7 @@ use crate::growth::at_age::new_growth::add_new_growth;
 use crate::growth::at_age::wood_names;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
+use crate::growth::obstacle::Obstacles;
 use crate::growth::simulation::{Simulation, fit};
 use crate::growth::volume::Swept;
 use crate::plant::{Branch, Plant, Provenance};
@@ -25,6 +26,8 @@ const HARDLY: f32 = 0.002;
 pub struct Paint {
     /// What it sweeps, and how strongly shoots follow it.
     pub swept: Arc<Swept>,
+    /// What stands in its way.
+    pub obstacles: Option<Arc<Obstacles>>,
     /// Its radius at neutral pressure, metres.
     pub radius: f32,
     /// How densely wood grows, 1 as ever.
@@ -52,6 +55,7 @@ struct Start {
     habit: Habit,
     wood: Vec<Branch>,
     swept: Arc<Swept>,
+    obstacles: Option<Arc<Obstacles>>,
     seed: u64,
     limits: Limits,
 }
@@ -81,7 +85,11 @@ impl Memory {
             self.kept.truncate(nth);
             let plant = Plant { branches: start.wood.clone(), ..Plant::default() };
             let (habit, swept) = (&start.habit, start.swept.clone());
-            let simulation = Simulation::in_swept(habit, &plant, swept, start.seed, start.limits);
+            let begun = Simulation::in_swept(habit, &plant, swept, start.seed, start.limits);
+            let simulation = match &start.obstacles {
+                Some(obstacles) => begun.among(obstacles.clone()),
+                None => begun,
+            };
             self.kept.push(Kept { start, simulation, outcome: Outcome::Growing });
         }
         let kept = self.kept.get_mut(nth)?;
@@ -130,7 +138,14 @@ impl Paint {
         let own = OwnLeaves::of(&to.plant);
         let size = (self.radius, self.density);
         let habit = fit::fitted_to_brush(habit, size, &self.swept, (2.0 * thickest, own.length));
-        let start = Start { habit, wood, swept: self.swept.clone(), seed: self.seed, limits };
+        let start = Start {
+            habit,
+            wood,
+            swept: self.swept.clone(),
+            obstacles: self.obstacles.clone(),
+            seed: self.seed,
+            limits,
+        };
         let Some(kept) = memory.grown(nth, start, stop) else { return Painted::Stopped };
         add_new_growth(to, (&branches, &names), &kept.simulation, |leaves, usual| {
             own.give_forms(leaves, usual, self.seed)

@@ -30,7 +30,7 @@ fn tree() -> Habit {
 fn paint(guide: f32, seed: u64) -> Paint {
     let way: Vec<_> = (0..=40).map(|k| (Vec3::new(0.05 * k as f32, 1.9, 0.0), 0.2)).collect();
     let swept = Arc::new(Swept::new(&way, guide).unwrap());
-    Paint { swept, radius: 0.2, density: 1.0, seed }
+    Paint { swept, obstacles: None, radius: 0.2, density: 1.0, seed }
 }
 
 fn painted(paint: &Paint) -> PlantAtAge {
@@ -106,7 +106,7 @@ fn a_long_stroke_is_filled_to_its_end() {
     };
     let way: Vec<_> = (0..1000).map(at).collect();
     let swept = Arc::new(Swept::new(&way, 0.8).unwrap());
-    let paint = Paint { swept, radius: 0.1, density: 1.0, seed: 3 };
+    let paint = Paint { swept, obstacles: None, radius: 0.1, density: 1.0, seed: 3 };
     let plant = painted(&paint);
     for (end, _) in [way[0], way[500], way[999]] {
         let leaves = plant.plant.organs.iter().filter(|leaf| leaf.base().distance(end) < 0.1).count();

@@ -10,7 +10,7 @@ use super::extend_into_crown;
 use crate::budget::Budget;
 use crate::growth::habit::Habit;
 use crate::growth::limits::{Limits, Outcome};
-use crate::growth::obstacle::{ObstacleParams, Obstacles};
+use crate::growth::obstacle::Obstacles;
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::simulation::Simulation;
 use crate::growth::tree::Tree;
@@ -18,7 +18,7 @@ use crate::growth::volume::Envelope;
 use crate::growth::volume::{Inflated, Lamp};
 use crate::learned_depth::WorldDepth;
 use crate::plant::{Branch, Plant};
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use std::sync::Arc;
 
 crate::parameters! {
@@ -71,8 +71,8 @@ pub struct Start {
     /// Drawn wood that grows on; parents before children.
     wood: Vec<Branch>,
     crowns: DrawnCrowns,
-    /// What stands behind the foot of its first trunk, and where that is.
-    behind: (ObstacleParams, Vec3),
+    /// What stands beside it.
+    obstacles: Option<Arc<Obstacles>>,
     /// Light that was painted.
     lamps: Vec<Lamp>,
     depth: f32,
@@ -83,19 +83,19 @@ pub struct Start {
 }
 
 impl Start {
-    /// A drawing of a species: `wood` grows on, into `crowns` if there are any, beside what stands `behind` a place. `height` is what the
+    /// A drawing of a species: `wood` grows on, into `crowns` if there are any, beside `obstacles`. `height` is what the
     /// drawing's height is in the world, metres.
     pub fn new(
         (habit, params): (&Habit, &GrowthParams),
         height: f32,
         (wood, crowns): (Vec<Branch>, DrawnCrowns),
-        behind: (ObstacleParams, Vec3),
+        obstacles: Option<Arc<Obstacles>>,
         seed: u64,
     ) -> Self {
         let mut habit = habit.scaled(height / habit.height);
         habit.fineness *= params.fineness;
         let &GrowthParams { depth, hollow, guide, .. } = params;
-        Self { habit, wood, crowns, behind, lamps: Vec::new(), depth, hollow, guide, seed, limits: LIMITS }
+        Self { habit, wood, crowns, obstacles, lamps: Vec::new(), depth, hollow, guide, seed, limits: LIMITS }
     }
 
     /// The same with painted light.
@@ -128,9 +128,8 @@ impl Start {
         let envelope = crown.map_or(Envelope::Free, Envelope::Inflated);
         let plant = Plant { branches: wood, ..Plant::default() };
         let begun = Simulation::from_skeleton(&self.habit, &plant, envelope, self.seed, self.limits);
-        let (behind, foot) = &self.behind;
-        let simulation = match behind.beside(*foot) {
-            Some(obstacles) => begun.among(obstacles),
+        let simulation = match &self.obstacles {
+            Some(obstacles) => begun.among(obstacles.clone()),
             None => begun,
         }
         .lit(self.lamps.clone());
@@ -181,11 +180,6 @@ impl Memory {
     /// How the plant that grew last grows, fitted into its crown if it has one.
     pub fn habit(&self) -> Option<&Habit> {
         self.last.as_ref().map(|kept| kept.simulation.habit())
-    }
-
-    /// What stands beside the plant that grew last.
-    pub fn obstacles(&self) -> Option<&Arc<Obstacles>> {
-        self.last.as_ref().and_then(|kept| kept.simulation.obstacles())
     }
 
     /// What the plant that grew last looks like from inside, at an age that it has lived through.

@@ -11,6 +11,7 @@ use crate::growth::at_age::{PlantAtAge, to_plant, wood_names};
 use crate::growth::tree::NONE;
 use crate::plant::{Branch, Continued, Plant, Provenance};
 use glam::Vec3;
+use std::collections::BTreeSet;
 
 /// Which branches grow on: those drawn by hand that end in no flower, and whatever carries such.
 pub fn grows(plant: &Plant) -> Vec<bool> {
@@ -47,17 +48,19 @@ fn numbers(grows: &[bool]) -> Vec<Option<usize>> {
     grows.iter().map(number).collect()
 }
 
-/// The drawn plant with what grew from its [`wood`], flower buds, each branch with its name, and which branches run on in others.
+/// The drawn plant with what grew from its [`wood`], flower buds, each branch with its name, and which of the
+/// `posed` branches, by their names, run on in others.
 pub fn merged(
     (drawn, provenance): (Plant, &Provenance),
     grows: &[bool],
     grown: &Grown<'_>,
+    posed: &BTreeSet<u64>,
 ) -> (PlantAtAge, Vec<Continued>) {
     let (PlantAtAge { mut plant, buds }, WoodAtAge { chains, at, .. }) =
         to_plant::with_wood(grown.simulation, grown.age);
     let names = wood_names::names_of_wood(grown.wood, provenance);
     let of_tree = (grown.simulation.tree(), &chains, &*at);
-    let continued = wood_names::name_branches(&mut plant.branches, of_tree, &names);
+    let continued = wood_names::name_branches(&mut plant.branches, of_tree, &names, posed);
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.
     let mut moved: Vec<Option<(usize, f32)>> = vec![None; drawn.branches.len()];

@@ -12,4 +12,4 @@ mod params;
 mod shapes;
 
 pub use obstacles::{Contact, Obstacles};
-pub use params::{ObstacleKind, ObstacleParams};
+pub use params::{KeptObstacles, ObstacleKind, ObstacleParams};

@@ -40,6 +40,13 @@ pub struct Contact {
     pub away: Vec3,
 }
 
+/// Those with the same triangles are the same.
+impl PartialEq for Obstacles {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.points, &self.triangles) == (&other.points, &other.triangles)
+    }
+}
+
 impl Obstacles {
     /// Obstacles with these triangles; `name` stands for them in messages.
     ///

@@ -50,6 +50,21 @@ impl ObstacleParams {
     }
 }
 
+/// What stood behind a plant when it was built last, kept because its faces are sorted into a tree.
+#[derive(Debug, Default)]
+pub struct KeptObstacles {
+    last: Option<(ObstacleParams, Vec3, Option<Arc<Obstacles>>)>,
+}
+
+impl KeptObstacles {
+    /// What stands behind a foot.
+    pub fn beside(&mut self, params: &ObstacleParams, foot: Vec3) -> Option<Arc<Obstacles>> {
+        let known = self.last.take().filter(|(of, at, _)| (of, at) == (params, &foot));
+        let made = || (params.clone(), foot, params.beside(foot));
+        self.last.insert(known.unwrap_or_else(made)).2.clone()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,6 +76,10 @@ mod tests {
         assert!((low - Vec3::new(3.0, 0.0, -0.45)).length() < 1e-5, "{low}");
         assert!((high - Vec3::new(5.0, 2.0, -0.25)).length() < 1e-5, "{high}");
         assert!(ObstacleParams::default().beside(Vec3::ZERO).is_none());
+        let mut kept = KeptObstacles::default();
+        let first = kept.beside(&wall, Vec3::X).unwrap();
+        assert!(Arc::ptr_eq(&first, &kept.beside(&wall, Vec3::X).unwrap()));
+        assert_ne!(first, kept.beside(&wall, Vec3::Z).unwrap());
         let trellis = ObstacleParams { kind: ObstacleKind::Trellis, width: 50.0, height: 50.0, ..wall };
         assert!(trellis.beside(Vec3::ZERO).unwrap().mesh().1.len() < 10_000);
     }
