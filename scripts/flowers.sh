@@ -60,6 +60,6 @@ python3 scripts/sheet.py 8 docs/images/flowers-layers.png "$work"/layers-*.png
 
 # A rose through the year, and others of its kind.
 for season in 0 1 2 3 4 5; do
-    picture "rose-$season" three-quarter 340x420 grow rose --seed 3 --set "rose.season=$season"
+    picture "rose-$season" three-quarter 340x420 grow rose --seed 3 --season "$season"
 done
 python3 scripts/sheet.py 6 docs/images/rose-year.png "$work"/rose-?.png

@@ -485,5 +485,5 @@ fn seasons_have_names_and_numbers() {
         assert!(penstemon(&["grow", "rose", option, "-o", out.to_str().unwrap()]).status.success());
         std::fs::read(out).unwrap()
     };
-    assert_eq!(rose("--season=winter", "rose.json"), rose("--set=rose.season=5", "set_rose.json"));
+    assert_eq!(rose("--season=winter", "rose.json"), rose("--set=season.time=5", "set_rose.json"));
 }

@@ -70,15 +70,23 @@ fn a_cherry_is_in_blossom_in_spring_only() {
 }
 
 #[test]
-fn a_drawn_rose_takes_its_year_from_the_same_parameter() {
-    let mut sketch = leafy_tree(3);
-    sketch.params.insert("season".into(), serde_json::json!({ "time": 4.5 }));
+fn a_rose_takes_its_year_from_the_same_parameter_as_all_plants() {
     let rose = Species::built_in("rose").unwrap();
     let season = |sketch: &Sketch, assignments: &[String]| {
-        pipeline::params_of(sketch, &rose, assignments).unwrap().rose.unwrap().season
+        pipeline::params_of(sketch, &rose, assignments).unwrap().season.time
     };
-    assert_eq!(season(&sketch, &[]), 4.5);
-    assert_eq!(season(&sketch, &["season.time=0.5".into()]), 0.5);
+    // What drawings said when roses had one of their own.
+    let mut sketch = leafy_tree(3);
     sketch.params.insert("rose".into(), serde_json::json!({ "season": 3.0 }));
     assert_eq!(season(&sketch, &[]), 3.0);
+    sketch.params.insert("season".into(), serde_json::json!({ "time": 4.5 }));
+    assert_eq!(season(&sketch, &[]), 4.5);
+    assert_eq!(season(&sketch, &["season.time=0.5".into()]), 0.5);
+    let hips = |time: f32| {
+        let params = pipeline::params_of_species(&rose, &[format!("season.time={time}")]).unwrap();
+        let built = pipeline::build(&Seed { number: 3, ..Seed::default() }, &rose, &params);
+        built.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Fruit).count()
+    };
+    assert_eq!(hips(2.0), 0);
+    assert!(hips(3.5) > 0);
 }

@@ -40,7 +40,7 @@ pub struct Args {
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
     /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. Roses go
-    /// through the seasons up to rose.season.
+    /// through the seasons up to that of --season.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=3600))]
     pub frames: Option<u16>,
     /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
@@ -115,7 +115,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     if params.rose.is_some() {
         ensure!(
             args.age.is_none(),
-            "{name}: a rose has seasons, not years; leave out --age, or --set rose.season=3 for hips"
+            "{name}: a rose has seasons, not years; leave out --age, or write --season 3 for hips"
         );
         ensure!(
             args.lod.is_none(),

@@ -35,7 +35,7 @@ pub(super) fn run(
     let mut cache = Cache::default();
     let mut grown = |season: Option<f32>| -> Result<Built> {
         let mut assignments = assignments.to_vec();
-        assignments.extend(season.map(|season| format!("rose.season={season}")));
+        assignments.extend(season.map(|season| format!("season.time={season}")));
         let params = pipeline::params_of_species(species, &assignments).with_context(|| name.to_owned())?;
         let seed = Seed { number: seed, ..Seed::default() };
         let built = pipeline::build_with(&mut cache, &seed, species, &params, &|| false);
@@ -49,7 +49,7 @@ pub(super) fn run(
         None => studio.write(&built, &Path::to_owned)?,
         Some(frames) => {
             let params = pipeline::params_of_species(species, assignments)?;
-            let last = params.rose.map_or(0.0, |habit| habit.season);
+            let last = params.season.time;
             let mut bytes = 0;
             for frame in 1..=frames {
                 let season = last * f32::from(frame - 1) / f32::from(frames - 1);

@@ -7,7 +7,7 @@
 use super::rose::{branches, put_on};
 use super::setup::Params;
 use crate::plant::{Branch, FlowerBud, FlowerBuds, Organ, OrganKind, Plant};
-use crate::rose::{DrawnStem, RoseHabit, on_stems};
+use crate::rose::{DrawnStem, RoseHabit, Season, on_stems};
 use crate::species::Species;
 use glam::Vec3;
 
@@ -23,12 +23,12 @@ pub(super) fn furnish(plant: &mut Plant, (species, params): (&Species, &Params),
         return FlowerBuds::default();
     }
     match &params.rose {
-        Some(habit) => rose(plant, habit, species, seed),
+        Some(habit) => rose(plant, (habit, &Season::at(params.season.time)), species, seed),
         None => flowers_at_ends(plant, species, params),
     }
 }
 
-fn rose(plant: &mut Plant, habit: &RoseHabit, species: &Species, seed: u64) -> FlowerBuds {
+fn rose(plant: &mut Plant, of: (&RoseHabit, &Season), species: &Species, seed: u64) -> FlowerBuds {
     let stems: Vec<DrawnStem<'_>> = plant
         .branches
         .iter()
@@ -39,7 +39,7 @@ fn rose(plant: &mut Plant, habit: &RoseHabit, species: &Species, seed: u64) -> F
             radii: &branch.radii,
         })
         .collect();
-    let shrub = on_stems(habit, &stems, seed);
+    let shrub = on_stems(of, &stems, seed);
     plant.branches.extend(branches(&shrub.stems[plant.branches.len()..]));
     put_on(plant, &shrub, species)
 }

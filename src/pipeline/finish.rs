@@ -133,8 +133,9 @@ pub(super) fn finish(
 /// The looks of a species with the artist's flowers at the time of the year, without blossom where the plant may not have any.
 fn looks<'a>(species: &'a Species, params: &Params, may_flower: bool) -> Cow<'a, Species> {
     let mut looks = params.flower.applied(species);
-    if let Some(season) = params.season.as_ref().filter(|season| season.time != looks.season.time) {
-        looks.to_mut().season.time = season.time;
+    // Leaves of roses are made for their season.
+    if species.rose.is_none() && params.season.time != looks.season.time {
+        looks.to_mut().season.time = params.season.time;
     }
     if looks.blossom.is_some() && !(may_flower && looks.is_in_blossom()) {
         looks.to_mut().blossom = None;

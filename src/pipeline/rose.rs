@@ -8,7 +8,7 @@ use crate::plant::{
     Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, Provenance,
     RestSurface, Role, Shape, Template, TemplateId, WoodPart,
 };
-use crate::rose::{self, Leaf, RoseBud, RoseHabit, Shrub};
+use crate::rose::{self, Leaf, RoseBud, RoseHabit, Season, Shrub};
 use crate::species::Species;
 use glam::{Vec2, Vec3};
 
@@ -28,7 +28,7 @@ const HIP_HEIGHT: f32 = 2.2;
 
 /// Makes the rose of a seed.
 pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, params): (&Species, &Params)) -> Produced {
-    let shrub = rose::shrub(habit, seed.number);
+    let shrub = rose::shrub(habit, &Season::at(params.season.time), seed.number);
     let mut plant = Plant { branches: branches(&shrub.stems), ..Plant::default() };
     let buds = put_on(&mut plant, &shrub, species);
     let (provenance, anatomy) = (Provenance::default(), Anatomy::default());

@@ -18,6 +18,7 @@ use crate::rose::RoseHabit;
 use crate::sketch::species_file::{find, is_file, own_name};
 use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::{FlowerParams, SeasonParams, Species, SpeciesError};
+use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -41,8 +42,8 @@ crate::parameter_groups! {
         cards: CardParams;
         /// The flowers of the species.
         flower: FlowerParams;
-        /// The time of the year; none for roses, whose year is their own.
-        season: Option<SeasonParams>;
+        /// The time of the year.
+        season: SeasonParams;
         /// How roses of the species are built; none where it has another way to grow.
         rose: Option<RoseHabit>;
         /// How plants of the species grow. A species that does not say it grows like an ordinary tree.
@@ -57,7 +58,7 @@ impl Params {
     /// What a plant of a species has where nobody says otherwise.
     pub fn of_species(species: &Species) -> Self {
         let habit = species.growth.clone().unwrap_or_default();
-        let season = species.rose.is_none().then_some(SeasonParams { time: species.season.time });
+        let season = SeasonParams { time: species.season.time };
         Self {
             habit,
             season,
@@ -71,8 +72,8 @@ impl Params {
     pub fn of_any_species() -> Self {
         let (crown, climb) = (Some(CrownHabit::default()), Some(ClimbHabit::default()));
         let flower = FlowerParams { layers: Some(Layers::default()), ..FlowerParams::default() };
-        let (rose, season) = (Some(RoseHabit::default()), Some(SeasonParams::default()));
-        Self { habit: Habit { crown, climb, ..Habit::default() }, flower, season, rose, ..Self::default() }
+        let rose = Some(RoseHabit::default());
+        Self { habit: Habit { crown, climb, ..Habit::default() }, flower, rose, ..Self::default() }
     }
 }
 
@@ -188,29 +189,27 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
         SetupError::OfSpecies { file: written.file.clone(), line: written.line(fault.path()), fault }
     };
     overrides.merge(&species.params).map_err(of_species)?;
-    overrides.merge_what_applies(&sketch.params, &ANY_SPECIES).map_err(by("the sketch"))?;
-    if let Some(time) = season_of_rose(sketch, species) {
-        overrides.set_text(&time).map_err(by("the sketch"))?;
-    }
+    overrides.merge_what_applies(&renamed(&sketch.params), &ANY_SPECIES).map_err(by("the sketch"))?;
     for assignment in assignments {
-        overrides.set_text(&in_its_year(assignment, species)).map_err(by("--set"))?;
+        overrides.set_text(assignment).map_err(by("--set"))?;
     }
     overrides.finish().map_err(by("parameters"))
 }
 
-/// The time of the year of a sketch as its rose's own parameter, unless the sketch says that itself.
-fn season_of_rose(sketch: &Sketch, species: &Species) -> Option<String> {
-    let said = |group, name| sketch.params.get(group).and_then(|group| group.get(name));
-    let time = said("season", "time").filter(|_| said("rose", "season").is_none())?;
-    species.rose.is_some().then(|| format!("rose.season={time}"))
-}
-
-/// An assignment of the time of the year, which roses have among their own parameters, on the same scale.
-fn in_its_year<'a>(assignment: &'a str, species: &Species) -> Cow<'a, str> {
-    match assignment.strip_prefix("season.time=").filter(|_| species.rose.is_some()) {
-        Some(time) => Cow::Owned(format!("rose.season={time}")),
-        None => Cow::Borrowed(assignment),
+/// The parameters of a sketch under their names of today: the time of the year of roses was one of their own.
+fn renamed(params: &Map<String, Value>) -> Cow<'_, Map<String, Value>> {
+    let Some(time) = params.get("rose").and_then(|rose| rose.get("season")) else {
+        return Cow::Borrowed(params);
+    };
+    let mut renamed = params.clone();
+    if let Some(Value::Object(rose)) = renamed.get_mut("rose") {
+        rose.remove("season");
     }
+    let season = renamed.entry("season").or_insert_with(|| Value::Object(Map::new()));
+    if let Value::Object(season) = season {
+        season.entry("time").or_insert_with(|| time.clone());
+    }
+    Cow::Owned(renamed)
 }
 
 /// Parameters for a plant without a drawing: defaults, then the species', then `PATH=VALUE` assignments.

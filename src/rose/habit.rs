@@ -68,8 +68,6 @@ crate::parameters! {
         flower: f32 = 0.036, 0.002..=0.5, "metres";
         /// Share of flowers that are still buds in bloom.
         buds: f32 = 0.2, 0.0..=1.0, "";
-        /// Time of the year: 0 leaves unfold, 1 buds, 2 bloom, 3 hips, 4 autumn, 5 bare.
-        season: f32 = 2.0, 0.0..=5.0, "";
         /// How steeply stems that climb rise along their support; 0 for those that stand.
         climb: f32 = 0.0, 0.0..=1.0, "";
     }
@@ -90,20 +88,21 @@ pub struct Season {
     pub young: f32,
 }
 
-impl RoseHabit {
-    /// What is seen at its time of the year.
-    pub fn at_season(&self) -> Season {
-        let season = self.season;
-        let ramp = |from: f32, to: f32| ((season - from) / (to - from)).clamp(0.0, 1.0);
-        Season {
+impl Season {
+    /// What is seen at a time of the year, which all species count alike: 0 leaves unfold, 1 buds, 2 bloom, 3 hips, 4 autumn, 5 bare.
+    pub fn at(time: f32) -> Self {
+        let ramp = |from: f32, to: f32| ((time - from) / (to - from)).clamp(0.0, 1.0);
+        Self {
             leaves: (0.35 + 0.65 * ramp(0.0, 1.0)) * (1.0 - ramp(4.2, 5.0)),
-            open: (0.6..2.8).contains(&season).then(|| ramp(1.0, 2.0)),
-            hips: if season >= 2.6 { 0.5 + 0.5 * ramp(2.6, 3.2) } else { 0.0 },
+            open: (0.6..2.8).contains(&time).then(|| ramp(1.0, 2.0)),
+            hips: if time >= 2.6 { 0.5 + 0.5 * ramp(2.6, 3.2) } else { 0.0 },
             coloured: ramp(3.4, 4.0),
             young: 1.0 - ramp(0.0, 0.9),
         }
     }
+}
 
+impl RoseHabit {
     /// The weights of the fifths of a stem for branches; equal ones where none is more than 0.
     pub fn weights(&self) -> [f32; 5] {
         let weights = [self.weight_1, self.weight_2, self.weight_3, self.weight_4, self.weight_5];
@@ -117,7 +116,7 @@ mod tests {
 
     #[test]
     fn seasons_follow_each_other() {
-        let at = |season: f32| RoseHabit { season, ..RoseHabit::default() }.at_season();
+        let at = Season::at;
         assert_eq!((at(2.0).open, at(2.0).hips, at(2.0).leaves), (Some(1.0), 0.0, 1.0));
         assert_eq!((at(1.0).open, at(0.0).open, at(3.5).open), (Some(0.0), None, None));
         assert!(at(3.5).hips == 1.0 && at(4.0).coloured == 1.0 && at(5.0).leaves == 0.0);

@@ -3,7 +3,7 @@
 //!
 //! Limits: side shoots know nothing of what the stem climbs on.
 
-use super::habit::RoseHabit;
+use super::habit::{RoseHabit, Season};
 use super::shrub::{Shrub, leaves_and_buds};
 use super::stems::{Stem, reference_side, shoot};
 use crate::geom::polyline;
@@ -39,14 +39,14 @@ pub struct DrawnStem<'a> {
 }
 
 /// The rose on drawn stems: these first, in their order, side shoots behind them.
-pub fn on_stems(habit: &RoseHabit, drawn: &[DrawnStem<'_>], seed: u64) -> Shrub {
+pub fn on_stems((habit, season): (&RoseHabit, &Season), drawn: &[DrawnStem<'_>], seed: u64) -> Shrub {
     let mut stems: Vec<Stem> =
         drawn.iter().enumerate().map(|(k, stem)| even(stem, drawn, mix(seed, k as u64))).collect();
     for index in 0..drawn.len() {
         let shoots = side_shoots(habit, &stems[index], index);
         stems.extend(shoots);
     }
-    let mut shrub = leaves_and_buds(habit, stems);
+    let mut shrub = leaves_and_buds((habit, season), stems);
     // What hangs down to the ground on the far side of an arch ends there without a flower.
     let hangs = |index: usize| index < drawn.len() && shrub.stems[index].at(1.0).1.y < HANGS;
     shrub.buds.retain(|bud| !hangs(bud.stem));
@@ -122,7 +122,7 @@ mod tests {
     fn a_rose_climbs_along_an_arch_with_flowers_all_over_it() {
         let (points, radii) = arch();
         let stem = DrawnStem { parent: None, order: 0, points: &points, radii: &radii };
-        let shrub = on_stems(&RoseHabit::default(), &[stem], 3);
+        let shrub = on_stems((&RoseHabit::default(), &Season::at(2.0)), &[stem], 3);
         assert!(shrub.stems.len() > 12 && shrub.buds.len() == shrub.stems.len() - 1, "{}", shrub.buds.len());
         assert!(shrub.leaves.len() > 60, "{}", shrub.leaves.len());
         let on = |p: Vec3| points.iter().map(|q| q.distance(p)).fold(f32::MAX, f32::min);
@@ -135,7 +135,7 @@ mod tests {
     fn a_short_stem_has_one_flower_and_its_leaves() {
         let points = [Vec3::ZERO, Vec3::new(0.01, 0.2, 0.0), Vec3::new(0.0, 0.5, 0.05)];
         let stem = DrawnStem { parent: None, order: 0, points: &points, radii: &[0.005, 0.004, 0.003] };
-        let shrub = on_stems(&RoseHabit::default(), &[stem], 3);
+        let shrub = on_stems((&RoseHabit::default(), &Season::at(2.0)), &[stem], 3);
         assert_eq!((shrub.stems.len(), shrub.buds.len()), (1, 1));
         assert!((shrub.buds[0].base - points[2]).length() < 1e-5 && shrub.leaves.len() > 3);
     }
@@ -144,7 +144,7 @@ mod tests {
     fn stems_without_length_have_no_leaves_and_do_no_harm() {
         let points = [Vec3::ONE; 2];
         let stem = DrawnStem { parent: None, order: 0, points: &points, radii: &[0.001; 2] };
-        let shrub = on_stems(&RoseHabit::default(), &[stem], 3);
+        let shrub = on_stems((&RoseHabit::default(), &Season::at(2.0)), &[stem], 3);
         assert!(shrub.leaves.is_empty() && shrub.buds.iter().all(|bud| bud.base.is_finite()));
     }
 }

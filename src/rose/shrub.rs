@@ -3,7 +3,7 @@
 //! Leaves follow each other by the golden angle; 004 eqs. 6 and 7 would turn all leaves of a stem to one side, since
 //! cos α₁ / cos 60° is cos α₀. They stand off their stem by an angle that falls from its foot to its tip.
 
-use super::habit::RoseHabit;
+use super::habit::{RoseHabit, Season};
 use super::stems::{Stem, reference_side, stems};
 use crate::random::stream;
 use glam::{Quat, Vec3};
@@ -63,17 +63,16 @@ pub struct Shrub {
     pub buds: Vec<RoseBud>,
 }
 
-/// The plant of a seed.
-pub fn shrub(habit: &RoseHabit, seed: u64) -> Shrub {
-    leaves_and_buds(habit, stems(habit, seed))
+/// The plant of a seed in a season.
+pub fn shrub(habit: &RoseHabit, season: &Season, seed: u64) -> Shrub {
+    leaves_and_buds((habit, season), stems(habit, seed))
 }
 
 /// Stems with their leaves, and with what stands at their ends.
-pub(super) fn leaves_and_buds(habit: &RoseHabit, stems: Vec<Stem>) -> Shrub {
-    let leaves = (0..stems.len()).flat_map(|index| leaves(habit, &stems, index)).collect();
+pub(super) fn leaves_and_buds(of: (&RoseHabit, &Season), stems: Vec<Stem>) -> Shrub {
+    let leaves = (0..stems.len()).flat_map(|index| leaves(of, &stems, index)).collect();
     let highest = stems.iter().map(end_height).fold(0.0, f32::max);
-    let buds =
-        stems.iter().enumerate().filter_map(|(index, stem)| bud(habit, stem, index, highest)).collect();
+    let buds = stems.iter().enumerate().filter_map(|(index, stem)| bud(of, stem, index, highest)).collect();
     Shrub { stems, leaves, buds }
 }
 
@@ -81,9 +80,8 @@ fn end_height(stem: &Stem) -> f32 {
     stem.points[stem.points.len() - 1].y
 }
 
-fn leaves(habit: &RoseHabit, stems: &[Stem], index: usize) -> Vec<Leaf> {
+fn leaves((habit, season): (&RoseHabit, &Season), stems: &[Stem], index: usize) -> Vec<Leaf> {
     let stem = &stems[index];
-    let season = habit.at_season();
     let foot = if stem.order == 0 { BARE_FOOT } else { 0.12 };
     let step = habit.internode / stem.length.max(1e-6);
     let count = ((1.0 - foot) / step).floor().min(400.0) as usize;
@@ -124,8 +122,7 @@ fn leaves(habit: &RoseHabit, stems: &[Stem], index: usize) -> Vec<Leaf> {
     (0..count).filter_map(leaf).collect()
 }
 
-fn bud(habit: &RoseHabit, stem: &Stem, index: usize, highest: f32) -> Option<RoseBud> {
-    let season = habit.at_season();
+fn bud((habit, season): (&RoseHabit, &Season), stem: &Stem, index: usize, highest: f32) -> Option<RoseBud> {
     let rng = &mut stream(stem.key, "flower of a rose", 0);
     let (base, along, _) = stem.at(1.0);
     let aside =
@@ -157,7 +154,7 @@ mod tests {
     fn leaves_stand_where_no_branch_does_and_turn_by_the_golden_angle() {
         let habit = RoseHabit::default();
         for seed in 0..40 {
-            let shrub = shrub(&habit, seed);
+            let shrub = shrub(&habit, &Season::at(2.0), seed);
             assert!(shrub.leaves.len() > 20, "{} leaves", shrub.leaves.len());
             for leaf in &shrub.leaves {
                 assert!((leaf.u.cross(leaf.v).length() - 1.0).abs() < 1e-3);
@@ -168,18 +165,19 @@ mod tests {
 
     #[test]
     fn there_is_a_flower_at_each_end_in_bloom_and_a_hip_after() {
-        let in_bloom = shrub(&RoseHabit::default(), 5);
+        let in_bloom = shrub(&RoseHabit::default(), &Season::at(2.0), 5);
         assert_eq!(in_bloom.buds.len(), in_bloom.stems.len());
         assert!(in_bloom.buds.iter().any(|bud| bud.open.is_some_and(|open| open > 0.6)));
-        let after = shrub(&RoseHabit { season: 3.4, ..RoseHabit::default() }, 5);
+        let after = shrub(&RoseHabit::default(), &Season::at(3.4), 5);
         assert!(after.buds.iter().all(|bud| bud.open.is_none() && bud.hip > 0.0) && !after.buds.is_empty());
-        let bare = shrub(&RoseHabit { season: 5.0, ..RoseHabit::default() }, 5);
+        let bare = shrub(&RoseHabit::default(), &Season::at(5.0), 5);
         assert!(bare.leaves.is_empty());
     }
 
     #[test]
     fn about_one_flower_in_five_is_a_bud() {
-        let buds: Vec<RoseBud> = (0..300).flat_map(|seed| shrub(&RoseHabit::default(), seed).buds).collect();
+        let buds: Vec<RoseBud> =
+            (0..300).flat_map(|seed| shrub(&RoseHabit::default(), &Season::at(2.0), seed).buds).collect();
         let shut = buds.iter().filter(|bud| bud.open.is_some_and(|open| open < 0.2)).count();
         assert!((0.15..0.25).contains(&(shut as f32 / buds.len() as f32)), "{shut} of {}", buds.len());
     }

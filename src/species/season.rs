@@ -9,7 +9,7 @@
 //! into the leaf's own picture ([`crate::picture::recoloured`]), whatever that shows.
 //!
 //! Limits: flowers that somebody drew stay; fruits do not ripen; leaves that have fallen are gone; a picture that a drawing lays over its
-//! leaves keeps its colours. Roses have a year of their own on the same scale, `rose.season`. The papers have no seasons.
+//! leaves keeps its colours. Roses are made for their season from the beginning (`rose/habit.rs`). The papers have no seasons.
 
 use super::looks::{SeasonLook, Species};
 use crate::plant::{Organ, OrganKind, Plant, Provenance, Shape};

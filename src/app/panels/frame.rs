@@ -78,11 +78,11 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
                 Page::Plant => {
                     petals::side(ui, snapshot, messages, out);
                     growth::show(ui, snapshot, messages, out);
+                    season::show(ui, snapshot, messages, out);
                     opening::show(ui, snapshot, messages, out);
                     beside::show(ui, snapshot, messages, out);
                     species::show(ui, snapshot, messages, out);
                     seed::show(ui, snapshot, messages, out);
-                    season::show(ui, snapshot, messages, out);
                     materials::show(ui, snapshot, messages, out);
                     presets::show(ui, snapshot, messages, out);
                 }
