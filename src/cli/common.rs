@@ -286,6 +286,15 @@ pub fn numbered(path: &Path, number: usize) -> PathBuf {
     path.with_file_name(name)
 }
 
+/// The time of the year at which a year ends.
+const WINTER: f32 = 5.0;
+
+/// The time of the year at which frames over a year end: one that was asked for, or else winter.
+pub(super) fn last_season(species: &Species, params: &Params) -> f32 {
+    let is_asked_for = params.season.time != species.season.time;
+    if is_asked_for { params.season.time } else { WINTER }
+}
+
 /// A place on a photograph, `X,Y` in pixels.
 pub(super) fn place(text: &str) -> Result<glam::Vec2, String> {
     let numbers = text.split_once(',').map(|(x, y)| [x, y].map(|n| n.trim().parse::<f32>()));

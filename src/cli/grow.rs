@@ -39,10 +39,13 @@ pub struct Args {
     /// volume is full.
     #[arg(long, value_name = "YEARS")]
     pub age: Option<f32>,
-    /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. Roses go
-    /// through the seasons up to that of --season.
+    /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. With
+    /// --over year, and for roses, at as many times of one year.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=3600))]
     pub frames: Option<u16>,
+    /// What frames go through.
+    #[arg(long, value_enum, default_value_t, requires = "frames")]
+    pub over: Over,
     /// Leaves and petals in GLB as copies of a few meshes instead of one large mesh; `nodes` for every program, `gpu` for
     /// those that read EXT_mesh_gpu_instancing.
     #[arg(long, value_name = "FORM")]
@@ -69,6 +72,17 @@ pub struct Args {
     /// Print the names of the built-in species that grow, one a line.
     #[arg(long)]
     pub list: bool,
+}
+
+/// What the frames of an animation go through.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Over {
+    /// The years up to --age.
+    #[default]
+    Age,
+    /// The seasons of one year, from breaking buds to winter, or up to --season where that is
+    /// given.
+    Year,
 }
 
 impl Args {
@@ -145,7 +159,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let (volume, wood) = args.volume()?;
     let obstacles = obstacle::obstacles(&args.obstacle)?;
     let seed = Seed { number: args.seed, age: args.age, volume, obstacles, wood, limits };
-    let mut nursery = Nursery { species: &species, params: &params, seed, cache: Cache::default() };
+    let mut nursery = Nursery { species: &species, params: params.clone(), seed, cache: Cache::default() };
     let (grown, ages) = nursery.grow(args.age)?;
     inside::check_room(nursery.simulation()?)?;
     warn_of_shortfalls(name, args, &grown, ages, nursery.simulation()?);
@@ -171,7 +185,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
 /// A seed with the plant that has grown from it so far.
 struct Nursery<'a> {
     species: &'a Species,
-    params: &'a Params,
+    params: Params,
     seed: Seed,
     cache: Cache,
 }
@@ -180,7 +194,7 @@ impl Nursery<'_> {
     /// The plant at an age, without one at its own.
     fn grow(&mut self, age: Option<f32>) -> Result<(Built, Ages)> {
         self.seed.age = age;
-        let built = pipeline::build_with(&mut self.cache, &self.seed, self.species, self.params, &|| false);
+        let built = pipeline::build_with(&mut self.cache, &self.seed, self.species, &self.params, &|| false);
         let built = built.context("nothing stops it")?;
         let ages = built.growth.context("what comes from a seed has grown")?;
         Ok((built, ages))
@@ -253,9 +267,17 @@ fn write(args: &Args, sources: &Sources, grown: &Built, nursery: &mut Nursery<'_
     let mut studio = Studio::new(&outputs, grown)?;
     let Some(frames) = args.frames else { return studio.write(grown, &Path::to_owned) };
     let oldest = args.age.unwrap_or(f32::from(nursery.simulation()?.age()));
+    let last_season = common::last_season(nursery.species, &nursery.params);
     let mut bytes = 0;
     for frame in 1..=frames {
-        let (built, _) = nursery.grow(Some(oldest * f32::from(frame) / f32::from(frames)))?;
+        let age = match args.over {
+            Over::Age => oldest * f32::from(frame) / f32::from(frames),
+            Over::Year => {
+                nursery.params.season.time = last_season * f32::from(frame - 1) / f32::from(frames - 1);
+                oldest
+            }
+        };
+        let (built, _) = nursery.grow(Some(age))?;
         if built.model.parts.is_empty() {
             tracing::warn!("frame {frame}: nothing has grown yet, so it has no file");
         } else {
@@ -299,6 +321,25 @@ mod tests {
         let args = parse("penstemon grow oak --age 12.5 --seed 3 -o a.glb -o a.obj").unwrap();
         assert_eq!((args.age, args.seed, args.out.len()), (Some(12.5), 3, 2));
         assert!(parse("penstemon grow --list").unwrap().list);
+    }
+
+    #[test]
+    fn frames_over_a_year_are_one_plant_in_its_seasons() {
+        let folder = tempfile::tempdir().unwrap();
+        let here = folder.path().display();
+        let line = format!("penstemon grow birch --age 5 --frames 3 --over year -o {here}/a.json");
+        run(&parse(&line).unwrap()).unwrap();
+        let once = |season: &str| {
+            let out = format!("{here}/once.json");
+            run(&parse(&format!("penstemon grow birch --age 5 --season {season} -o {out}")).unwrap())
+                .unwrap();
+            std::fs::read_to_string(out).unwrap()
+        };
+        for (frame, season) in ["0", "2.5", "5"].iter().enumerate() {
+            let frame = std::fs::read_to_string(format!("{here}/a-{:03}.json", frame + 1)).unwrap();
+            assert!(frame == once(season), "season {season}");
+        }
+        assert!(parse("penstemon grow birch --over year -o a.json").is_err(), "without frames");
     }
 
     #[test]

@@ -49,7 +49,7 @@ pub(super) fn run(
         None => studio.write(&built, &Path::to_owned)?,
         Some(frames) => {
             let params = pipeline::params_of_species(species, assignments)?;
-            let last = params.season.time;
+            let last = common::last_season(species, &params);
             let mut bytes = 0;
             for frame in 1..=frames {
                 let season = last * f32::from(frame - 1) / f32::from(frames - 1);
