@@ -59,6 +59,7 @@ mod photographs;
 mod picking;
 mod pictures;
 mod plant_search;
+mod pose_ring;
 mod pose_tool;
 mod posing;
 mod preferences;

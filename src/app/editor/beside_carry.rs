@@ -21,11 +21,14 @@ impl Editor {
         picked.and_then(|picked| place_of(picked.element, &built.beside)) == Some(selected)
     }
 
-    /// Moves what is held in the view of the plant by what it was carried: a control point, a branch, or the selected plant.
+    /// Moves what is held in the view of the plant by what it was carried: a control point, a branch, its ring, or the selected plant.
     pub(super) fn carry(&mut self) {
         let Some((from, to)) = self.plant.take_carried() else { return };
         if self.petals.hold.is_some() {
             return self.drag_control_point(to);
+        }
+        if self.posing.ring.is_some() {
+            return self.drag_ring(to);
         }
         if self.posing.hold.is_some() {
             return self.drag_wood(to);

@@ -43,7 +43,7 @@ impl Editor {
 
     /// Modifier keys, which the canvas gets too.
     pub fn modifiers(&mut self, before: Modifiers, now: Modifiers) {
-        self.petals.alt = now.alt;
+        (self.petals.alt, self.posing.is_fine) = (now.alt, now.alt);
         for (key, was, is) in
             [(CanvasKey::Shift, before.shift, now.shift), (CanvasKey::Ctrl, before.ctrl, now.ctrl)]
         {

@@ -34,8 +34,11 @@ impl Editor {
         let at = event.sample.position;
         // What a second pointer touches while one is at work is not taken hold of.
         let begins = is_down && !self.pens.in_plant.is_busy();
-        let over_carried =
-            begins && (self.hold_control_point(at) || self.hold_wood(at) || self.is_over_selected_plant(at));
+        let over_carried = begins
+            && (self.hold_control_point(at)
+                || self.hold_ring(at)
+                || self.hold_wood(at)
+                || self.is_over_selected_plant(at));
         let draws = begins && (self.begin_in_space(&event.sample) || self.begin_painting(&event.sample));
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
         self.pens.in_plant.event(event, keys, &mut self.plant);
@@ -45,7 +48,7 @@ impl Editor {
         self.carry();
         self.draw_in_space();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
-            (self.petals.hold, self.posing.hold) = (None, None);
+            (self.petals.hold, self.posing.hold, self.posing.ring) = (None, None, None);
             self.drawing.end_merging();
         }
     }

@@ -6,7 +6,9 @@
 //! chooses a branch, another tap on it the one that it grows on; a drag on the branch that is chosen, or on what it carries,
 //! moves all of it. So a bough is moved from any of its twigs.
 //!
-//! Limits: a turn about the branch's own axis takes two drags from different sides.
+//! A ring around its base turns it precisely (`pose_ring.rs`).
+//!
+//! Limits: a turn about the branch's own axis takes two drags from different sides, or a view along it and the ring.
 
 use super::Editor;
 use super::pose_tool::WoodHold;
@@ -16,7 +18,7 @@ use crate::geom::polyline;
 use crate::model::pick::{Element, pick};
 use crate::plant::{Branch, GrownId, Origin};
 use crate::sketch::wood_poses::{WoodPose, pose_of, posed};
-use crate::sketch::{Change, StrokeId, WoodName};
+use crate::sketch::{Change, WoodName};
 use glam::{DVec2, Quat, Vec3};
 use std::f32::consts::PI;
 
@@ -126,26 +128,37 @@ impl Editor {
     fn drawn_hold(&self, at: DVec2) -> Option<WoodHold> {
         let (touched, grip) = self.wood_at(at)?;
         let built = self.built()?;
-        let stroke_of = |branch: &Branch| built.provenance.stroke(branch.origin);
-        let mut drawn = built.wood.branches(&built.plant);
-        let stroke: StrokeId = stroke_of(drawn.find(|(index, _)| *index == touched)?.1)?;
-        // Of several branches of one stroke the first is posed.
-        let mut drawn = built.wood.branches(&built.plant);
-        let (index, branch) = drawn.find(|(_, branch)| stroke_of(branch) == Some(stroke))?;
-        self.hold(WoodName::Stroke(stroke), (branch, grip), built.wood.posed.foot(index))
+        let (_, branch) = built.wood.branches(&built.plant).find(|(index, _)| *index == touched)?;
+        self.hold(built.provenance.stroke(branch.origin).map(WoodName::Stroke)?, grip)
     }
 
     /// A branch that grew, held at a place; the one that is chosen, if that carries it.
     fn grown_hold(&self, touched: usize, grip: Vec3) -> Option<WoodHold> {
-        let built = self.built()?;
         let chosen = self.chosen_index().filter(|chosen| self.carries(*chosen, touched));
-        let branch = &built.plant.branches[chosen.unwrap_or(touched)];
-        let Origin::Grown(name) = branch.origin else { return None };
-        self.hold(WoodName::Grown(name.0), (branch, grip), built.wood.posed.grown_foot(name))
+        self.hold(self.name_of(chosen.unwrap_or(touched))?, grip)
+    }
+
+    /// The branch of a name, and what its foot is turned by. Of several branches of one stroke the first is posed.
+    pub(super) fn posed_branch(&self, wood: WoodName) -> Option<(&Branch, Quat)> {
+        let built = self.built()?;
+        match wood {
+            WoodName::Grown(name) => {
+                let is_of = |branch: &&Branch| branch.origin == Origin::Grown(GrownId(name));
+                let branch = built.plant.branches.iter().find(is_of)?;
+                Some((branch, built.wood.posed.grown_foot(GrownId(name))))
+            }
+            WoodName::Stroke(stroke) => {
+                let is_of = |branch: &Branch| built.provenance.stroke(branch.origin) == Some(stroke);
+                let mut drawn = built.wood.branches(&built.plant);
+                let (index, branch) = drawn.find(|(_, branch)| is_of(branch))?;
+                Some((branch, built.wood.posed.foot(index)))
+            }
+        }
     }
 
     /// A branch held at a place, unless that is too near to its base.
-    fn hold(&self, wood: WoodName, (branch, grip): (&Branch, Vec3), foot: Quat) -> Option<WoodHold> {
+    fn hold(&self, wood: WoodName, grip: Vec3) -> Option<WoodHold> {
+        let (branch, foot) = self.posed_branch(wood)?;
         let base = *branch.points.first()?;
         let (_, arc) = polyline::nearest(&branch.points, grip)?;
         let length = polyline::length(&branch.points).max(f32::MIN_POSITIVE);
@@ -201,7 +214,7 @@ impl Editor {
     }
 
     /// Poses a branch; one drag is one step.
-    fn pose(&mut self, pose: WoodPose) {
+    pub(super) fn pose(&mut self, pose: WoodPose) {
         let poses = posed(&self.sketch().wood_poses, pose);
         self.change_merging(Change::wood_poses(poses), "wood poses");
     }
@@ -209,22 +222,27 @@ impl Editor {
 
 /// The pose in which the place that is held lies in the direction of a point.
 fn dragged(hold: &WoodHold, target: Vec3, bends: bool) -> WoodPose {
-    let WoodHold { before, base, grip, share, foot } = *hold;
+    let &WoodHold { before, base, grip, share, foot } = hold;
     let (from, to) = ((grip - base).try_normalize(), (target - base).try_normalize());
     let Some((from, to)) = from.zip(to) else { return before };
     let turn = Quat::from_rotation_arc(from, to);
+    // A place at a share of an evenly bent branch is seen under half of that share of the whole bend.
+    let (axis, angle) = turn.to_axis_angle();
+    let whole = (angle * 2.0 / share.max(LEAST_LEVER)).clamp(-PI, PI);
+    let turn = if bends { Quat::from_axis_angle(axis, whole) } else { turn };
+    turned(&before, foot, turn, bends)
+}
+
+/// A pose with one more turn in the world of the branch, or of its end, whose foot is turned so.
+pub(super) fn turned(before: &WoodPose, foot: Quat, turn: Quat, bends: bool) -> WoodPose {
     if bends {
-        // A place at a share of an evenly bent branch is seen under half of that share of the whole bend.
-        let (axis, angle) = turn.to_axis_angle();
-        let angle = (angle * 2.0 / share.max(LEAST_LEVER)).clamp(-PI, PI);
-        let turn = Quat::from_axis_angle(axis, angle);
         let bend = (foot.inverse() * turn * foot * before.bend).normalize();
-        return WoodPose { bend, ..before };
+        return WoodPose { bend, ..*before };
     }
     // The foot is turned by its parent and then by the branch's own turn.
     let parent = foot * before.turn.inverse();
     let turn = (parent.inverse() * turn * parent * before.turn).normalize();
-    WoodPose { turn, ..before }
+    WoodPose { turn, ..*before }
 }
 
 #[cfg(test)]

@@ -200,3 +200,32 @@ fn a_drawn_branch_is_cut_off_with_its_stroke() {
     editor.perform(Action::Undo);
     assert_eq!(editor.sketch().strokes.len(), strokes);
 }
+
+#[test]
+fn the_ring_turns_the_chosen_branch_about_the_line_of_sight() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "balloon_flower");
+    editor.perform(Action::PoseWood(true));
+    drag_stem(&mut editor, PenTool::Pen, DVec2::new(20.0, 0.0));
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    let before = stem(&editor);
+    let centre = editor.plant.seen_at(before.points[0]).unwrap();
+    let radius = 64.0 * editor.plant.pixels_per_point();
+    let at = |degrees: f64| centre + DVec2::from_angle(degrees.to_radians()) * radius;
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), at(-45.0), 0.5);
+    (1..=30).for_each(|k| touch(&mut editor, (PenPhase::Move, PenTool::Pen), at(-45.0 + f64::from(k)), 0.5));
+    touch(&mut editor, (PenPhase::Up, PenTool::Pen), at(-15.0), 0.0);
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    let seen = |editor: &Editor, stem: &Branch| {
+        editor.plant.seen_at(*stem.points.last().unwrap()).unwrap()
+            - editor.plant.seen_at(stem.points[0]).unwrap()
+    };
+    let turned = seen(&editor, &before).angle_to(seen(&editor, &stem(&editor))).to_degrees();
+    // The stem is not flat before the viewer, so its picture turns a little otherwise.
+    assert!((turned - 30.0).abs() < 3.0, "{turned}");
+    editor.perform(Action::Undo);
+    build(&mut editor);
+    assert_eq!(stem(&editor).points, before.points, "one step");
+}

@@ -134,6 +134,7 @@ impl Editor {
         }
         self.paint_brush(painter, palette);
         self.paint_chosen_wood(painter, palette);
+        self.paint_ring(painter, palette);
         let Some(stroke) = &self.space.stroke else { return };
         let seen = stroke.points.iter().filter_map(|point| self.plant.seen_at(stroke.frame.place(point)));
         let line: Vec<Pos2> = seen.map(|at| to_points(at, scale)).collect();
