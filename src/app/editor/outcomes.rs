@@ -34,6 +34,9 @@ impl Editor {
         let at = event.sample.position;
         // What a second pointer touches while one is at work is not taken hold of.
         let begins = is_down && !self.pens.in_plant.is_busy();
+        if begins {
+            self.drawing.end_merging();
+        }
         let over_carried = begins
             && (self.hold_control_point(at)
                 || self.hold_ring(at)

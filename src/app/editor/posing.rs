@@ -93,7 +93,8 @@ impl Editor {
         let touched = self.grown_under(tapped).filter(|_| self.posing.is_on)?;
         let chosen = self.chosen_index().filter(|chosen| self.carries(*chosen, touched));
         let lower = chosen.and_then(|chosen| self.built()?.plant.branches[chosen].parent);
-        self.name_of(lower.unwrap_or(touched))
+        // Below the lowest that grew it begins again.
+        lower.and_then(|lower| self.name_of(lower)).or_else(|| self.name_of(touched))
     }
 
     /// Takes hold of the branch under a place in the window, physical pixels; whether there is one.

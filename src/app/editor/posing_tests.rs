@@ -171,6 +171,11 @@ fn grown_branches_are_chosen_turned_thickened_and_cut_off() {
     editor.posing.let_go();
     drag(&mut editor, PenTool::Finger(1), at, at + DVec2::new(-24.0, 6.0));
     assert_eq!(editor.sketch().wood_poses[0].wood, name, "without a choice the twig itself");
+    let turn = editor.sketch().wood_poses[0].turn;
+    [0.8, 0.6].into_iter().for_each(|thickness| editor.perform(Action::ThickenWood(thickness)));
+    editor.perform(Action::Undo);
+    let pose = editor.sketch().wood_poses[0];
+    assert_eq!((pose.turn, pose.thickness), (turn, 1.0), "a drag and a slider are a step each");
     editor.perform(Action::ThickenWood(0.5));
     build(&mut editor);
     frame(&mut editor, &egui);
