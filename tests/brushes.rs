@@ -2,26 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
+use crate::in_space::{built, in_space};
 use glam::vec2;
 use penstemon::pipeline::{self, Built};
 use penstemon::sketch::{self, Brush, Remark, Sketch, Stroke, StrokePoint, Tool};
 use std::path::Path;
 use std::sync::Arc;
-
-/// A trunk on the sheet and sixteen branches in space.
-fn in_space() -> Sketch {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/in_space.penstemon");
-    sketch::read(&path).unwrap().0
-}
-
-fn built(sketch: &Sketch) -> Built {
-    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
-    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
-    let built = pipeline::build(sketch, &species, &params);
-    built.plant.check_invariants().unwrap();
-    built.model.parts.iter().for_each(|part| part.mesh.check_invariants().unwrap());
-    built
-}
 
 /// A straight stroke of a brush, canvas pixels and depth.
 fn stroke(id: u64, tool: Tool, from: [f32; 3], to: [f32; 3], radius: f32) -> Arc<Stroke> {

@@ -2,17 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
+use crate::in_space::{built, in_space};
 use glam::{Quat, Vec3};
-use penstemon::pipeline::{self, Built};
+use penstemon::pipeline::Built;
 use penstemon::plant::{Branch, GrownId, Origin};
-use penstemon::sketch::{self, Brush, Remark, Sketch, Stroke, StrokePoint, Tool, WoodName, WoodPose};
+use penstemon::sketch::{Brush, Remark, Sketch, Stroke, StrokePoint, Tool, WoodName, WoodPose};
 use std::collections::HashSet;
-use std::path::Path;
 
 /// A trunk on the sheet and sixteen branches in space, on which a species grows for some years.
 fn growing(species: &str, years: f64) -> Sketch {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/in_space.penstemon");
-    let mut sketch = sketch::read(&path).unwrap().0;
+    let mut sketch = in_space();
     (sketch.species, sketch.wood_poses) = (Some(species.to_owned()), [].into());
     sketch.params.insert("growth.years".to_owned(), years.into());
     sketch
@@ -20,15 +19,6 @@ fn growing(species: &str, years: f64) -> Sketch {
 
 fn posed(sketch: &Sketch, poses: &[WoodPose]) -> Sketch {
     Sketch { wood_poses: poses.into(), ..sketch.clone() }
-}
-
-fn built(sketch: &Sketch) -> Built {
-    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
-    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
-    let built = pipeline::build(sketch, &species, &params);
-    built.plant.check_invariants().unwrap();
-    built.model.parts.iter().for_each(|part| part.mesh.check_invariants().unwrap());
-    built
 }
 
 fn name(branch: &Branch) -> Option<u64> {

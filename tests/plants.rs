@@ -21,6 +21,8 @@ mod flower_whorls;
 mod ground;
 mod grown;
 mod grown_poses;
+#[path = "common/in_space.rs"]
+mod in_space;
 mod inflorescences;
 mod learned_depth;
 mod live;

@@ -2,25 +2,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
+use crate::in_space::{built, in_space};
 use glam::{Quat, Vec3};
 use penstemon::anatomy::Part;
-use penstemon::pipeline::{self, Built};
+use penstemon::pipeline::Built;
 use penstemon::plant::Branch;
 use penstemon::sketch::wood_poses::{WoodName, WoodPose, posed};
-use penstemon::sketch::{self, Sketch, Tool};
-use std::path::Path;
-
-/// A trunk on the sheet and sixteen branches in space, the trunk bent, a bough turned.
-fn in_space() -> Sketch {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/in_space.penstemon");
-    sketch::read(&path).unwrap().0
-}
-
-fn built(sketch: &Sketch) -> Built {
-    let species = pipeline::species_of(sketch, Path::new("")).unwrap();
-    let params = pipeline::params_of(sketch, &species, &[]).unwrap();
-    pipeline::build(sketch, &species, &params)
-}
+use penstemon::sketch::{Sketch, Tool};
 
 /// The branch that a stroke drew.
 fn branch(built: &Built, stroke: u64) -> &Branch {

@@ -11,7 +11,7 @@ use super::posing::turned;
 use crate::app::theme::Palette;
 use crate::sketch::wood_poses::pose_of;
 use egui::{Align2, FontId, Painter, Stroke, vec2};
-use glam::{DVec2, Quat, Vec3};
+use glam::{DVec2, Quat};
 
 /// Radius of the ring, points.
 const RADIUS: f64 = 64.0;
@@ -23,11 +23,10 @@ const DEAD: f64 = 0.15;
 const FINE: f64 = 0.125;
 
 impl Editor {
-    /// Where the ring is seen, physical pixels of the window, and the base that it is around; none without a branch that is chosen.
-    fn ring(&self) -> Option<(DVec2, Vec3)> {
+    /// Where the middle of the ring is seen, physical pixels of the window; none without a branch that is chosen.
+    fn ring_centre(&self) -> Option<DVec2> {
         let wood = self.posing.last.filter(|_| self.posing.is_on)?;
-        let base = *self.posed_branch(wood)?.0.points.first()?;
-        Some((self.plant.seen_at(base)?, base))
+        self.plant.seen_at(*self.posed_branch(wood)?.0.points.first()?)
     }
 
     /// Takes hold of the ring at a place in the window, physical pixels; whether it is there.
@@ -41,7 +40,7 @@ impl Editor {
     }
 
     fn ring_hold(&self, at: DVec2) -> Option<RingHold> {
-        let ((centre, _), scale) = (self.ring()?, self.plant.pixels_per_point());
+        let (centre, scale) = (self.ring_centre()?, self.plant.pixels_per_point());
         if (centre.distance(at) / scale - RADIUS).abs() > GRIP {
             return None;
         }
@@ -66,7 +65,7 @@ impl Editor {
 
     /// Paints the ring, and while it is held by how many degrees it has turned.
     pub(super) fn paint_ring(&self, painter: &Painter, palette: &Palette) {
-        let Some((centre, _)) = self.ring() else { return };
+        let Some(centre) = self.ring_centre() else { return };
         let (centre, radius) = (to_points(centre, self.plant.pixels_per_point()), RADIUS as f32);
         let width = if self.posing.ring.is_some() { 3.0 } else { 1.5 };
         painter.circle_stroke(centre, radius, Stroke::new(width + 2.0, palette.panel.gamma_multiply(0.6)));

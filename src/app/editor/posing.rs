@@ -144,8 +144,7 @@ impl Editor {
         let built = self.built()?;
         match wood {
             WoodName::Grown(name) => {
-                let is_of = |branch: &&Branch| branch.origin == Origin::Grown(GrownId(name));
-                let branch = built.plant.branches.iter().find(is_of)?;
+                let branch = &built.plant.branches[self.grown_index(GrownId(name))?];
                 Some((branch, built.wood.posed.grown_foot(GrownId(name))))
             }
             WoodName::Stroke(stroke) => {
@@ -194,8 +193,12 @@ impl Editor {
     /// Place in the plant of the branch that is chosen, if that grew.
     pub(super) fn chosen_index(&self) -> Option<usize> {
         let Some(WoodName::Grown(name)) = self.posing.last else { return None };
-        let branches = &self.built()?.plant.branches;
-        branches.iter().position(|branch| branch.origin == Origin::Grown(GrownId(name)))
+        self.grown_index(GrownId(name))
+    }
+
+    /// Place in the plant of a branch that grew.
+    fn grown_index(&self, name: GrownId) -> Option<usize> {
+        self.built()?.plant.branches.iter().position(|branch| branch.origin == Origin::Grown(name))
     }
 
     /// Whether a branch is another one or grows on it, near or far.
