@@ -81,7 +81,14 @@ fn flower() -> Plant {
             branch(Some(0), Vec3::Y * 0.2, 0.004),
             branch(Some(0), Vec3::Y * 0.3, 0.004),
         ],
-        flowers: vec![Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
+        flowers: vec![Flower {
+            origin: Origin::Generated,
+            branch: Some(0),
+            cone,
+            centre_radius: 0.01,
+            reach: 0.1,
+            look: 0,
+        }],
         organs,
         templates,
     }

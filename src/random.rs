@@ -59,6 +59,14 @@ impl Choice {
     pub const NAME_OF_FOOT: Self = Self(71);
     /// A drawn branch, by its stroke.
     pub const NAME_OF_STROKE: Self = Self(72);
+    /// Another part than the first that a stroke drew.
+    pub const NAME_OF_PART: Self = Self(73);
+    /// A drawn flower, by the first of its petals.
+    pub const NAME_OF_FLOWER: Self = Self(74);
+    /// A leaf, by its node.
+    pub const NAME_OF_LEAF: Self = Self(75);
+    /// A flower bud, by its node.
+    pub const NAME_OF_BUD: Self = Self(76);
 }
 
 /// About a stem.

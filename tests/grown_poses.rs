@@ -6,19 +6,19 @@ use crate::in_space::{built, in_space};
 use glam::{Quat, Vec3};
 use penstemon::pipeline::Built;
 use penstemon::plant::{Branch, GrownId, Origin};
-use penstemon::sketch::{Brush, Remark, Sketch, Stroke, StrokePoint, Tool, WoodName, WoodPose};
+use penstemon::sketch::{Brush, PartName, PartPose, Remark, Sketch, Stroke, StrokePoint, Tool};
 use std::collections::HashSet;
 
 /// A trunk on the sheet and sixteen branches in space, on which a species grows for some years.
 fn growing(species: &str, years: f64) -> Sketch {
     let mut sketch = in_space();
-    (sketch.species, sketch.wood_poses) = (Some(species.to_owned()), [].into());
+    (sketch.species, sketch.part_poses) = (Some(species.to_owned()), [].into());
     sketch.params.insert("growth.years".to_owned(), years.into());
     sketch
 }
 
-fn posed(sketch: &Sketch, poses: &[WoodPose]) -> Sketch {
-    Sketch { wood_poses: poses.into(), ..sketch.clone() }
+fn posed(sketch: &Sketch, poses: &[PartPose]) -> Sketch {
+    Sketch { part_poses: poses.into(), ..sketch.clone() }
 }
 
 fn name(branch: &Branch) -> Option<u64> {
@@ -48,8 +48,8 @@ fn bough(built: &Built) -> usize {
     grown.max_by_key(|index| carried[*index]).unwrap()
 }
 
-fn still(built: &Built, index: usize) -> WoodPose {
-    WoodPose::still(WoodName::Grown(name(&built.plant.branches[index]).unwrap()))
+fn still(built: &Built, index: usize) -> PartPose {
+    PartPose::still(PartName::Grown(name(&built.plant.branches[index]).unwrap()))
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn a_bough_turns_with_all_that_is_on_it_and_the_rest_stays_to_the_last_bit() {
     let before = built(&sketch);
     let bough = bough(&before);
     let turn = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), 0.7);
-    let after = built(&posed(&sketch, &[WoodPose { turn, ..still(&before, bough) }]));
+    let after = built(&posed(&sketch, &[PartPose { turn, ..still(&before, bough) }]));
     assert_eq!(after.remarks, before.remarks);
     assert_eq!(after.plant.branches.len(), before.plant.branches.len());
     let (moves, foot) = (on(&before, bough), before.plant.branches[bough].points[0]);
@@ -92,7 +92,7 @@ fn what_is_cut_off_goes_with_all_that_is_on_it() {
     let before = built(&sketch);
     let bough = bough(&before);
     let gone = on(&before, bough);
-    let after = built(&posed(&sketch, &[WoodPose { is_cut: true, ..still(&before, bough) }]));
+    let after = built(&posed(&sketch, &[PartPose { is_cut: true, ..still(&before, bough) }]));
     let left: Vec<&Vec<Vec3>> =
         before.plant.branches.iter().zip(&gone).filter(|(_, gone)| !**gone).map(|(b, _)| &b.points).collect();
     assert_eq!(after.plant.branches.iter().map(|branch| &branch.points).collect::<Vec<_>>(), left);
@@ -108,7 +108,7 @@ fn a_bough_is_no_thicker_than_what_carries_it() {
     let before = built(&sketch);
     let bough = bough(&before);
     for (thickness, least) in [(5.0, 1.05), (0.4, 0.0)] {
-        let after = built(&posed(&sketch, &[WoodPose { thickness, ..still(&before, bough) }]));
+        let after = built(&posed(&sketch, &[PartPose { thickness, ..still(&before, bough) }]));
         let (was, is) = (&before.plant.branches[bough], &after.plant.branches[bough]);
         let under = after.plant.branches[is.parent.unwrap()].axis_at(is.points[0]).1;
         assert!(is.radii[0] <= under, "{} on {under}", is.radii[0]);
@@ -131,8 +131,8 @@ fn names_stay_at_other_ages_and_under_most_sliders() {
         // The thickest: of the others one in five is shed, or finds no room any more, from one year to the next.
         let mut boughs: Vec<&Branch> = from.plant.branches.iter().filter(|b| name(b).is_some()).collect();
         boughs.sort_by(|a, b| b.radii[0].total_cmp(&a.radii[0]));
-        let thicker = |name| WoodPose { thickness: 1.1, ..WoodPose::still(WoodName::Grown(name)) };
-        let poses: Vec<WoodPose> = boughs.into_iter().take(100).filter_map(name).map(thicker).collect();
+        let thicker = |name| PartPose { thickness: 1.1, ..PartPose::still(PartName::Grown(name)) };
+        let poses: Vec<PartPose> = boughs.into_iter().take(100).filter_map(name).map(thicker).collect();
         let remarks = built(&posed(to, &poses)).remarks;
         let rest = remarks.iter().find_map(|warning| match warning.remark {
             Remark::PosesRest { poses } => Some(poses),
@@ -147,7 +147,7 @@ fn names_stay_at_other_ages_and_under_most_sliders() {
 fn a_pose_is_kept_through_the_years_and_rests_while_its_branch_is_not_there() {
     let old = built(&growing("maple", 7.0));
     let bough = bough(&old);
-    let poses = [WoodPose { turn: Quat::from_rotation_x(0.6), ..still(&old, bough) }];
+    let poses = [PartPose { turn: Quat::from_rotation_x(0.6), ..still(&old, bough) }];
     for years in [6.0, 6.5, 8.0] {
         let sketch = growing("maple", years);
         let (before, after) = (built(&sketch), built(&posed(&sketch, &poses)));
@@ -167,7 +167,7 @@ fn brushes_grow_on_posed_wood_and_what_they_grew_is_posed_too() {
     let before = built(&sketch);
     let bough = bough(&before);
     let turn = Quat::from_axis_angle(Vec3::Z, 0.9);
-    let pose = WoodPose { turn, ..still(&before, bough) };
+    let pose = PartPose { turn, ..still(&before, bough) };
     let bare = built(&posed(&sketch, &[pose]));
     // Painted downward from the end of the bough as it is turned.
     let end = *bare.plant.branches[bough].points.last().unwrap();
@@ -187,7 +187,7 @@ fn brushes_grow_on_posed_wood_and_what_they_grew_is_posed_too() {
     let grown: HashSet<u64> = new.iter().filter_map(name).collect();
     assert_eq!(grown.len(), new.len(), "each has a name of its own");
     let index = bare.plant.branches.len();
-    painted.wood_poses = [pose, WoodPose { bend: turn, ..still(&with, index) }].into();
+    painted.part_poses = [pose, PartPose { bend: turn, ..still(&with, index) }].into();
     let bent = built(&painted);
     assert_eq!(bent.plant.branches[..index], with.plant.branches[..index]);
     assert_ne!(bent.plant.branches[index], with.plant.branches[index]);

@@ -8,10 +8,10 @@ use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{GrownId, OrganKind, Origin, Shape, Texture};
+use penstemon::sketch::part_poses::posed;
 use penstemon::sketch::petal_shapes::shaped;
-use penstemon::sketch::wood_poses::posed;
 use penstemon::sketch::{
-    self, Brush, Maker, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool, WoodName, WoodPose,
+    self, Brush, Maker, PartName, PartPose, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool,
 };
 use penstemon::species::Species;
 use proptest::prelude::*;
@@ -136,27 +136,35 @@ fn edit_space(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
         return;
     }
     let turn = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0);
-    let still = WoodPose::still(WoodName::Stroke(chosen.id));
-    let pose = if which % 2 == 0 { WoodPose { turn, ..still } } else { WoodPose { bend: turn, ..still } };
-    sketch.wood_poses = posed(&sketch.wood_poses, pose);
+    let still = PartPose::still(PartName::Stroke(chosen.id));
+    let pose = match which % 3 {
+        0 => PartPose { turn, ..still },
+        1 => PartPose { bend: turn, ..still },
+        _ => PartPose { shift: Vec3::new(by, 2.0 * by, -by), thickness: 1.2, ..still },
+    };
+    sketch.part_poses = posed(&sketch.part_poses, pose);
 }
 
-/// Turns, bends, thickens or cuts off a branch that grew in the last plant.
+/// Turns, bends, thickens, moves or cuts off a branch, leaf or flower that grew in the last plant.
 fn pose_grown(sketch: &mut Sketch, (_, which, by): (u8, usize, f32), last: &Built) {
-    let grown = last.plant.branches.iter().filter_map(|branch| match branch.origin {
-        Origin::Grown(GrownId(name)) => Some(WoodName::Grown(name)),
+    let branches = last.plant.branches.iter().map(|branch| branch.origin);
+    let organs = last.plant.organs.iter().map(|organ| organ.origin);
+    let flowers = last.plant.flowers.iter().map(|flower| flower.origin);
+    let grown = branches.chain(organs).chain(flowers).filter_map(|origin| match origin {
+        Origin::Grown(GrownId(name)) => Some(PartName::Grown(name)),
         _ => None,
     });
-    let grown: Vec<WoodName> = grown.collect();
+    let grown: Vec<PartName> = grown.collect();
     let Some(wood) = grown.get(which % grown.len().max(1)) else { return };
-    let (turn, still) = (Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0), WoodPose::still(*wood));
-    let pose = match which % 4 {
-        0 => WoodPose { turn, ..still },
-        1 => WoodPose { bend: turn, ..still },
-        2 => WoodPose { thickness: 1.5, ..still },
-        _ => WoodPose { is_cut: true, ..still },
+    let (turn, still) = (Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), by / 60.0), PartPose::still(*wood));
+    let pose = match which % 5 {
+        0 => PartPose { turn, ..still },
+        1 => PartPose { bend: turn, ..still },
+        2 => PartPose { thickness: 1.5, ..still },
+        3 => PartPose { shift: Vec3::new(by, by, 0.0), turn, ..still },
+        _ => PartPose { is_cut: true, ..still },
     };
-    sketch.wood_poses = posed(&sketch.wood_poses, pose);
+    sketch.part_poses = posed(&sketch.part_poses, pose);
 }
 
 /// A build with a cache gives what one from scratch gives; only the cache knows how old its plant has been before.

@@ -28,6 +28,7 @@ mod learned_depth;
 mod live;
 mod lobes;
 mod obstacles;
+mod organ_poses;
 mod other_hands;
 mod outlines;
 #[path = "common/people.rs"]

@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use penstemon::anatomy::Part;
 use penstemon::pipeline::Built;
 use penstemon::plant::Branch;
-use penstemon::sketch::wood_poses::{WoodName, WoodPose, posed};
+use penstemon::sketch::part_poses::{PartName, PartPose, posed};
 use penstemon::sketch::{Sketch, Tool};
 
 /// The branch that a stroke drew.
@@ -62,16 +62,16 @@ fn growth_goes_on_from_branches_in_space() {
 fn a_pose_takes_along_what_grows_there_and_a_still_one_changes_no_byte() {
     let mut sketch = in_space();
     let posed_twice = built(&sketch);
-    sketch.wood_poses = [].into();
+    sketch.part_poses = [].into();
     let still = built(&sketch);
     let poses = (1..18)
-        .map(|id| WoodPose::still(WoodName::Stroke(id)))
-        .fold(sketch.wood_poses.clone(), |known, pose| posed(&known, pose));
+        .map(|id| PartPose::still(PartName::Stroke(id)))
+        .fold(sketch.part_poses.clone(), |known, pose| posed(&known, pose));
     assert!(poses.is_empty());
     assert_ne!(posed_twice.model, still.model);
     // The trunk lies down toward the viewer.
     let turn = Quat::from_rotation_x(std::f32::consts::FRAC_PI_2);
-    sketch.wood_poses = [WoodPose { turn, ..WoodPose::still(WoodName::Stroke(1)) }].into();
+    sketch.part_poses = [PartPose { turn, ..PartPose::still(PartName::Stroke(1)) }].into();
     let lying = built(&sketch);
     for (before, after) in still.plant.branches.iter().zip(&lying.plant.branches) {
         let foot = still.plant.branches[0].points[0];
@@ -86,8 +86,8 @@ fn the_front_of_the_sheet_is_read_as_if_nothing_were_in_space() {
     let sketch = in_space();
     let mut flat = sketch.clone();
     flat.strokes.retain(|stroke| stroke.tool != Tool::SpaceBranch);
-    flat.wood_poses = [].into();
-    let (mut with, without) = (built(&Sketch { wood_poses: [].into(), ..sketch }), built(&flat));
+    flat.part_poses = [].into();
+    let (mut with, without) = (built(&Sketch { part_poses: [].into(), ..sketch }), built(&flat));
     let in_space = with.anatomy.marks.split_off(1);
     assert!(
         in_space.iter().all(|mark| mark.part == Part::Branch),

@@ -10,6 +10,7 @@ use super::export_choice::ExportChoice;
 use super::messages::Language;
 use super::pen_settings::PenSettings;
 use super::plant_search::PlantMark;
+use super::pose_drag::PoseDrag;
 use super::settings::{Handedness, ThemeChoice};
 use super::stabiliser::Stabiliser;
 use super::texture_cut::{CutError, TextureCut};
@@ -121,16 +122,16 @@ pub enum Action {
     TakeBrush(Option<Tool>),
     /// Set the brushes.
     SetBrush(BrushSettings),
-    /// Take up the tool that turns and bends branches, or lay it down.
-    PoseWood(bool),
-    /// Whether it bends them, not turns them.
-    BendWood(bool),
-    /// Let the branch that was held last stand as it was drawn or grew.
+    /// Take up the tool that turns, bends and moves parts of the plant, or lay it down.
+    PoseParts(bool),
+    /// What a drag with it does.
+    PoseBy(PoseDrag),
+    /// Let the part that was held last stand as it was drawn or grew.
     ResetPose,
-    /// Make it so many times as thick as it was drawn or grew.
-    ThickenWood(f32),
-    /// Cut it off.
-    CutWood,
+    /// Make it so many times as thick, an organ as large, as it was drawn or grew.
+    SizePart(f32),
+    /// Take it away.
+    TakeAwayPart,
     /// Put the selected strokes on the clipboard.
     CopySelected,
     /// The same, and remove them.

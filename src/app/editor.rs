@@ -59,6 +59,8 @@ mod photographs;
 mod picking;
 mod pictures;
 mod plant_search;
+mod posable;
+mod pose_marks;
 mod pose_ring;
 mod pose_tool;
 mod posing;

@@ -56,6 +56,7 @@ mod plant_texture;
 pub mod plant_tools;
 pub mod plant_view;
 mod pointers;
+pub mod pose_drag;
 pub mod presets;
 mod priority;
 mod revival;

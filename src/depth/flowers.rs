@@ -12,8 +12,9 @@ use super::{petal_shapes, petals};
 use crate::anatomy::{Anatomy, FlatBlade, FlatFlower};
 use crate::kept::{Kept, Use};
 use crate::plant::{
-    Cone, Flower, Organ, OrganPart, Origin, Provenance, Role, Shape, Templates, WorldFromCanvas,
+    Cone, Flower, GrownId, Organ, OrganPart, Origin, Provenance, Role, Shape, Templates, WorldFromCanvas,
 };
+use crate::random::Choice;
 use crate::sketch::PetalShape;
 use glam::Vec2;
 use std::borrow::Cow;
@@ -212,6 +213,13 @@ fn pose_of(flower: &FlatFlower, stem: Option<Vec2>, anatomy: &Anatomy, params: &
     flower_pose(&outlines, stem, params)
 }
 
+/// What a flower is known by: the first of the strokes of its petals.
+fn flower_name<'a>(petals: impl Iterator<Item = &'a FlatBlade>) -> Origin {
+    let first = petals.filter_map(|petal| petal.stroke).min();
+    let name = |stroke| Origin::Grown(GrownId(Choice::NAME_OF_FLOWER.key(stroke)));
+    first.map_or(Origin::Generated, name)
+}
+
 fn flower(
     flat: &FlatFlower,
     pose: &FlowerPose,
@@ -224,9 +232,10 @@ fn flower(
     let bare = Cone { apex, axis: pose.axis, opening_rad: 0.0, height: 0.0 };
     let cone = cone_of(&pose.outermost(), &bare, world);
     let members = flat.petals.iter().map(|&p| &petals[p]);
-    let centre =
-        flat.centre_radius.unwrap_or_else(|| petals::root_distance(members, pose.center)) * world.scale;
+    let centre = flat.centre_radius.unwrap_or_else(|| petals::root_distance(members.clone(), pose.center))
+        * world.scale;
     Flower {
+        origin: flower_name(members),
         branch: flat.attachment.map(|place| place.branch),
         cone,
         centre_radius: centre.clamp(CENTRE.0 * reach, CENTRE.1 * reach),

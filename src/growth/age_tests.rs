@@ -149,7 +149,7 @@ struct Shown {
 
 impl Shown {
     fn new(simulation: &Simulation, age: f32) -> Self {
-        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) = with_wood(simulation, age);
+        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) = with_wood(simulation, age, None);
         let nodes = |c: &Chain| chains.nodes[c.range.0 as usize..c.range.1 as usize].to_vec();
         let blade = |o: &Organ| match &o.shape {
             Shape::Blade(b) => Some((b.base, b.v.length())),

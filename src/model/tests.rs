@@ -183,7 +183,14 @@ fn plant() -> impl Strategy<Value = FinishedPlant> {
             shape,
         });
         let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
-        let flower = |branch| Flower { branch, cone, centre_radius: 0.01, reach: 0.1, look: 0 };
+        let flower = |branch| Flower {
+            origin: Origin::Generated,
+            branch,
+            cone,
+            centre_radius: 0.01,
+            reach: 0.1,
+            look: 0,
+        };
         FinishedPlant::plain(Plant {
             organs: organs.collect(),
             branches,
@@ -297,7 +304,14 @@ fn filaments_of_a_flower_are_gathered_by_material() {
     };
     let cone = Cone { apex: Vec3::ZERO, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
     let plant = FinishedPlant::plain(Plant {
-        flowers: vec![Flower { branch: None, cone, centre_radius: 0.1, reach: 1.0, look: 0 }],
+        flowers: vec![Flower {
+            origin: Origin::Generated,
+            branch: None,
+            cone,
+            centre_radius: 0.1,
+            reach: 1.0,
+            look: 0,
+        }],
         organs: vec![stamen(0.0, 1), stamen(1.0, 1), stamen(2.0, 0)],
         ..Plant::default()
     });
@@ -314,7 +328,14 @@ fn filaments_of_a_flower_are_gathered_by_material() {
 /// of them a petal that this stroke drew.
 fn flowering(petal: Option<u64>) -> FinishedPlant {
     let cone = Cone { apex: Vec3::Y, axis: Vec3::Y, opening_rad: 0.7, height: 0.1 };
-    let flower = |_| Flower { branch: Some(0), cone, centre_radius: 0.01, reach: 0.1, look: 0 };
+    let flower = |_| Flower {
+        origin: Origin::Generated,
+        branch: Some(0),
+        cone,
+        centre_radius: 0.01,
+        reach: 0.1,
+        look: 0,
+    };
     let outline = vec![Vec2::ZERO, Vec2::new(0.02, 0.05), Vec2::new(0.0, 0.1), Vec2::new(-0.02, 0.05)];
     let mut templates = Templates::default();
     let template = templates.add(Template::new(outline, Vec::new(), 0.1, Detail::Reduced));

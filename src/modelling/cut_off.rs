@@ -36,7 +36,7 @@ pub(super) fn cut_off(plant: &mut Plant, buds: &mut FlowerBuds, joints: &HashMap
 mod tests {
     use super::*;
     use crate::plant::{Branch, Origin, Role, WoodPart};
-    use crate::sketch::{WoodName, WoodPose};
+    use crate::sketch::{PartName, PartPose};
     use glam::Vec3;
 
     fn branch(foot: Vec3, parent: Option<usize>, level: u32) -> Branch {
@@ -53,7 +53,7 @@ mod tests {
         let branches = vec![first, twig, second.clone(), third.clone()];
         let mut plant = Plant { branches, ..Plant::default() };
         plant.check_invariants().unwrap();
-        let pose = WoodPose { is_cut: true, ..WoodPose::still(WoodName::Grown(1)) };
+        let pose = PartPose { is_cut: true, ..PartPose::still(PartName::Grown(1)) };
         let joints = HashMap::from([(0, vec![Joint { arc: 0.0, pose }])]);
         cut_off(&mut plant, &mut FlowerBuds::default(), &joints);
         assert_eq!(plant.branches, [Branch { parent: None, ..second }, third]);

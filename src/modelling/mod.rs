@@ -1,8 +1,8 @@
-//! What the artist makes in the view of the plant: branches drawn in space, and wood that is turned, bent, made thicker and
-//! cut off (001 chapter 4).
+//! What the artist makes in the view of the plant: branches drawn in space, and parts that are turned, bent, moved, made larger and
+//! taken away (001 chapter 4).
 //!
 //! The stage stands between depth and growth: what is drawn in space joins the wood that the sheet gave, and both grow on
-//! as one. Wood that grew is posed after that. It is pure: strokes, poses and a plant in, the plant with them out.
+//! as one. Wood that grew is posed after that, and leaves, flowers and all else when the species has given them their looks. It is pure: strokes, poses and a plant in, the plant with them out.
 
 mod branches;
 mod curve;
@@ -10,10 +10,15 @@ mod cut_off;
 mod drawn_wood;
 mod foothold;
 mod joint;
+mod organ_poses;
+mod part_names;
 mod poses;
+mod slide;
 mod thickness;
 
 pub use branches::{Cache, add_branches};
 pub use drawn_wood::DrawnWood;
 pub use foothold::{Foothold, GROUND_REACH};
-pub use poses::{Posed, pose_grown_wood, pose_wood, poses_at_rest};
+pub use organ_poses::{OrganGroup, pose_organs};
+pub use part_names::PartNames;
+pub use poses::{PartFrame, Posed, pose_grown_wood, pose_wood, poses_at_rest};

@@ -2,21 +2,24 @@
 //! with the place that they grow on.
 //!
 //! The branches of a plant are joints of a puppet. A pose turns its branch about its base, in the frame that what it grows on has
-//! there, and bends it besides: the bend grows evenly along the branch, and lengths stay. So a pose is the same whatever
-//! is done to other branches, and a plant without poses is not touched.
+//! there, and bends it besides: the bend grows evenly along the branch, and lengths stay. It may also slide the base along
+//! what the branch grows on, or over the ground. So a pose is the same whatever is done to other branches, and a plant without
+//! poses is not touched.
 //!
 //! Drawn wood is posed before it grows on, so that growth sees it where it is. Wood that grew is posed when it has grown: the
 //! rest of the plant stays as it was, to the last bit. What brushes grow after that stands on posed wood, and is posed last.
 //!
-//! Limits: a branch stays where it grows on its parent, and no branch becomes thicker than that; nothing keeps moved wood from
-//! passing through other wood.
+//! Limits: a branch stays on its parent, and no branch becomes thicker than that; the stems of a bush stay on their base. Nothing
+//! keeps moved wood from passing through other wood.
 
 use super::cut_off::cut_off;
 use super::joint::{Joint, joints};
+use super::part_names::PartNames;
+use super::slide::Slide;
 use super::thickness::{Thickened, thicken};
 use crate::geom::polyline;
-use crate::plant::{Branch, Continued, FlowerBuds, GrownId, Motion, Origin, Plant, Provenance};
-use crate::sketch::{Remark, Warning, WoodName, WoodPose};
+use crate::plant::{Branch, Continued, FlowerBuds, Motion, Origin, Plant};
+use crate::sketch::{PartName, PartPose, Remark};
 use glam::{Quat, Vec3};
 use std::collections::HashMap;
 
@@ -29,6 +32,8 @@ struct Moved {
     points: Vec<Vec3>,
     /// What they were turned by.
     turns: Vec<Quat>,
+    /// Where its base was before it slid, and what the place of its parent there was turned by.
+    stood: (Vec3, Quat),
 }
 
 impl Moved {
@@ -41,44 +46,63 @@ impl Moved {
         let next = (i + 1).min(self.turns.len() - 1);
         let between = |line: &[Vec3]| line[i].lerp(line[next], share);
         let turn = self.turns[i].slerp(self.turns[next], share);
-        Motion { turn, from: between(&self.rest), to: between(&self.points) }
+        Motion { turn, from: between(&self.rest), to: between(&self.points), size: 1.0 }
     }
 }
 
-/// Where the wood of a plant was moved by poses; that of a plant without poses is empty.
+/// How a part of a plant was turned and where it stood before its own pose: what a new pose of it starts from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PartFrame {
+    /// Where its base was before the part was moved itself, metres.
+    pub stood: Vec3,
+    /// What the place that it stood on was turned by.
+    pub parent_turn: Quat,
+    /// What its foot is turned by, its own turn included.
+    pub foot: Quat,
+}
+
+/// Where the parts of a plant were moved by poses; that of a plant without poses is empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Posed {
-    /// Drawn branches, by their places among these.
-    drawn: HashMap<usize, Moved>,
-    /// What the feet of branches that grew are turned by.
-    grown: HashMap<GrownId, Quat>,
+    /// Branches.
+    wood: HashMap<Origin, Moved>,
+    /// Organs that have poses themselves.
+    pub(super) organs: HashMap<PartName, PartFrame>,
 }
 
 impl Posed {
-    /// What the foot of a drawn branch is turned by, its own turn included.
-    pub fn foot(&self, branch: usize) -> Quat {
-        let moved = self.drawn.get(&branch).and_then(|moved| moved.turns.first());
-        moved.copied().unwrap_or(Quat::IDENTITY)
+    /// The frame of a branch.
+    pub fn frame(&self, branch: &Branch) -> PartFrame {
+        let base = branch.points.first().copied().unwrap_or_default();
+        self.wood.get(&branch.origin).map_or_else(
+            || PartFrame { stood: base, parent_turn: Quat::IDENTITY, foot: Quat::IDENTITY },
+            |moved| {
+                let foot = moved.turns.first().copied().unwrap_or(Quat::IDENTITY);
+                PartFrame { stood: moved.stood.0, parent_turn: moved.stood.1, foot }
+            },
+        )
     }
 
-    /// The same of one that grew.
-    pub fn grown_foot(&self, branch: GrownId) -> Quat {
-        self.grown.get(&branch).copied().unwrap_or(Quat::IDENTITY)
+    /// The motion of what grows on a branch at the place that is now nearest to a point; none where it was not moved.
+    pub fn motion_at(&self, branch: &Branch, point: Vec3) -> Option<Motion> {
+        Some(self.wood.get(&branch.origin)?.at(point, true))
     }
 
-    /// The motion of what grows on a drawn branch at the place that is now nearest to a point; none where it was not moved.
-    pub fn motion_at(&self, branch: usize, point: Vec3) -> Option<Motion> {
-        Some(self.drawn.get(&branch)?.at(point, true))
+    fn insert(&mut self, branches: &[Branch], moved: HashMap<usize, Moved>) {
+        // Of what a rule made only what it stands on is known, which is turned as it is.
+        let named = moved.into_iter().map(|(index, moved)| (branches[index].origin, moved));
+        self.wood.extend(named.filter(|(origin, _)| *origin != Origin::Generated));
     }
 }
 
-/// Poses the branches that strokes drew, and all that grows on them; says where they were. Poses that are left in `poses` are of
-/// no branch of the plant.
-pub fn pose_wood(plant: &mut Plant, provenance: &Provenance, poses: &mut Vec<WoodPose>) -> Posed {
-    let named = |branch: &Branch| provenance.stroke(branch.origin).map(WoodName::Stroke);
-    let drawn = pose_branches(plant, &joints(plant, named, &[], poses));
-    move_organs(plant, &drawn);
-    Posed { drawn, ..Posed::default() }
+/// Poses the branches that strokes drew, and all that grows on them; says where they were. `scale` is what a pixel of the canvas is,
+/// metres. Poses that are left in `poses` are of no branch of the plant.
+pub fn pose_wood(plant: &mut Plant, names: &PartNames, poses: &mut Vec<PartPose>, scale: f32) -> Posed {
+    let moved = pose_branches(plant, &joints(plant, names, &[], poses), scale);
+    move_organs(plant, &moved);
+    let mut posed = Posed::default();
+    posed.insert(&plant.branches, moved);
+    posed
 }
 
 /// Poses branches that grew, and all that is on them; what is cut off goes with all of it. A branch that is `continued` is posed
@@ -86,40 +110,35 @@ pub fn pose_wood(plant: &mut Plant, provenance: &Provenance, poses: &mut Vec<Woo
 pub fn pose_grown_wood(
     (plant, buds): (&mut Plant, &mut FlowerBuds),
     continued: &[Continued],
-    poses: &mut Vec<WoodPose>,
+    (names, poses, scale): (&PartNames, &mut Vec<PartPose>, f32),
     posed: &mut Posed,
 ) {
     if poses.is_empty() {
         return;
     }
-    let named = |branch: &Branch| match branch.origin {
-        Origin::Grown(GrownId(name)) => Some(WoodName::Grown(name)),
-        Origin::Drawn(_) | Origin::Generated => None,
-    };
-    let joints = joints(plant, named, continued, poses);
-    let moved = pose_branches(plant, &joints);
+    let joints = joints(plant, names, continued, poses);
+    let moved = pose_branches(plant, &joints, scale);
     move_organs(plant, &moved);
     for bud in &mut buds.buds {
         let motion = bud.branch.and_then(|b| moved.get(&b)).map(|moved| moved.at(bud.base, false));
         motion.iter().for_each(|motion| bud.move_by(motion));
     }
-    for (index, branch) in plant.branches.iter().enumerate() {
-        let turn = moved.get(&index).and_then(|moved| moved.turns.first());
-        if let (Origin::Grown(name), Some(turn)) = (branch.origin, turn) {
-            posed.grown.insert(name, *turn);
-        }
-    }
+    posed.insert(&plant.branches, moved);
     cut_off(plant, buds, &joints);
 }
 
-/// The remark that poses have found no branch.
-pub fn poses_at_rest(left: &[WoodPose]) -> Option<Warning> {
+/// The remark that poses have found no part.
+pub fn poses_at_rest(left: &[PartPose]) -> Option<Remark> {
     let poses = left.len();
-    (poses > 0).then_some(Warning { stroke: None, remark: Remark::PosesRest { poses } })
+    (poses > 0).then_some(Remark::PosesRest { poses })
 }
 
 /// Moves branches and makes them thicker; says how they were moved.
-fn pose_branches(plant: &mut Plant, joints: &HashMap<usize, Vec<Joint>>) -> HashMap<usize, Moved> {
+fn pose_branches(
+    plant: &mut Plant,
+    joints: &HashMap<usize, Vec<Joint>>,
+    scale: f32,
+) -> HashMap<usize, Moved> {
     let (mut posed, mut thickened) = (HashMap::new(), HashMap::new());
     if joints.is_empty() {
         return posed;
@@ -130,10 +149,16 @@ fn pose_branches(plant: &mut Plant, joints: &HashMap<usize, Vec<Joint>>) -> Hash
         let base = branch.parent.zip(branch.points.first().copied());
         let by_parent = base.and_then(|(parent, base)| Some(Moved::at(posed.get(&parent)?, base, false)));
         let on_parent = base.and_then(|(parent, base)| Some(Thickened::at(thickened.get(&parent)?, base)));
-        let thickened_now = Thickened::new(branch, on_parent.unwrap_or(1.0), own);
-        let turns = |joint: &Joint| joint.pose.turn != Quat::IDENTITY || joint.pose.bend != Quat::IDENTITY;
-        if by_parent.is_some() || own.iter().any(turns) {
-            let moved = moved(branch, by_parent, own);
+        let foot = Foot::new(&plant.branches, index, by_parent, own, scale);
+        // At a thinner place it is thinner itself.
+        let on_parent = on_parent.unwrap_or(1.0) * foot.slide.thickness.min(1.0);
+        let thickened_now = Thickened::new(branch, on_parent, own);
+        let moves = |joint: &Joint| {
+            let PartPose { turn, bend, shift, .. } = joint.pose;
+            turn != Quat::IDENTITY || bend != Quat::IDENTITY || shift != Vec3::ZERO
+        };
+        if by_parent.is_some() || own.iter().any(moves) {
+            let moved = moved(branch, &foot, own);
             plant.branches[index].points.clone_from(&moved.points);
             posed.insert(index, moved);
         }
@@ -145,16 +170,42 @@ fn pose_branches(plant: &mut Plant, joints: &HashMap<usize, Vec<Joint>>) -> Hash
     posed
 }
 
-/// The branch moved by its parent, and then in its own poses.
-fn moved(branch: &Branch, by_parent: Option<Motion>, joints: &[Joint]) -> Moved {
+/// Where the base of a branch comes to.
+struct Foot {
+    /// Where it stands on its moved parent, and what that is turned by there.
+    stood: (Vec3, Quat),
+    /// How it slides from there.
+    slide: Slide,
+}
+
+impl Foot {
+    fn new(
+        branches: &[Branch],
+        index: usize,
+        by_parent: Option<Motion>,
+        joints: &[Joint],
+        scale: f32,
+    ) -> Self {
+        let branch = &branches[index];
+        let base = branch.points.first().copied().unwrap_or_default();
+        let (base, parent_turn) =
+            by_parent.map_or((base, Quat::IDENTITY), |motion| (motion.point(base), motion.turn));
+        let first = joints.first().filter(|joint| joint.arc == 0.0 && !branch.is_basal_stem());
+        let by = first.map_or(Vec3::ZERO, |joint| parent_turn * (joint.pose.shift * scale));
+        let on = branch.parent.map(|parent| &branches[parent]);
+        Self { stood: (base, parent_turn), slide: Slide::new(on, base, by, scale) }
+    }
+}
+
+/// The branch moved with its foot, and then in its own poses.
+fn moved(branch: &Branch, foot: &Foot, joints: &[Joint]) -> Moved {
     let rest = branch.points.clone();
-    let base = rest.first().copied().unwrap_or_default();
-    let by_parent = by_parent.unwrap_or(Motion { turn: Quat::IDENTITY, from: base, to: base });
+    let carried = foot.slide.turn * foot.stood.1;
     let arcs = polyline::arc_lengths(rest.iter().copied());
     let length = arcs.last().copied().unwrap_or(0.0);
     let turn_at = |arc: f32| {
         let below = joints.iter().take_while(|joint| joint.arc <= arc);
-        let turn = below.fold(by_parent.turn, |turn, Joint { arc: from, pose }| {
+        let turn = below.fold(carried, |turn, Joint { arc: from, pose }| {
             let along = (arc - from) / (length - from).max(f32::MIN_POSITIVE);
             turn * pose.turn.normalize() * Quat::IDENTITY.slerp(pose.bend.normalize(), along)
         });
@@ -162,13 +213,13 @@ fn moved(branch: &Branch, by_parent: Option<Motion>, joints: &[Joint]) -> Moved 
     };
     let turns: Vec<Quat> = arcs.iter().map(|arc| turn_at(*arc)).collect();
     let mut points = Vec::with_capacity(rest.len());
-    let mut last = by_parent.point(base);
+    let mut last = foot.slide.to;
     points.push(last);
     for (ends, arcs) in rest.windows(2).zip(arcs.windows(2)) {
         last += turn_at(arcs[0].midpoint(arcs[1])) * (ends[1] - ends[0]);
         points.push(last);
     }
-    Moved { rest, points, turns }
+    Moved { rest, points, turns, stood: foot.stood }
 }
 
 /// Moves flowers, and all organs with the place that they grow on; those of flowers with their flower.
@@ -190,7 +241,7 @@ fn move_organs(plant: &mut Plant, posed: &HashMap<usize, Moved>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plant::{Origin, Role, WoodPart};
+    use crate::plant::{GrownId, Provenance, Role, WoodPart};
     use std::f32::consts::FRAC_PI_2;
 
     fn branch(origin: Origin, parent: Option<usize>, from: Vec3, to: Vec3) -> Branch {
@@ -212,8 +263,13 @@ mod tests {
         (Plant { branches, ..Plant::default() }, provenance)
     }
 
-    fn pose(stroke: u64, turn: Quat, bend: Quat) -> WoodPose {
-        WoodPose { turn, bend, ..WoodPose::still(WoodName::Stroke(stroke)) }
+    fn pose(stroke: u64, turn: Quat, bend: Quat) -> PartPose {
+        PartPose { turn, bend, ..PartPose::still(PartName::Stroke(stroke)) }
+    }
+
+    /// The plant posed, a pixel being a millimetre.
+    fn posed(plant: &mut Plant, provenance: &Provenance, poses: &[PartPose]) -> Posed {
+        pose_wood(plant, &PartNames::new(provenance), &mut poses.to_vec(), 0.001)
     }
 
     fn ends(plant: &Plant) -> [Vec3; 3] {
@@ -230,12 +286,12 @@ mod tests {
         let (mut plant, provenance) = tree();
         // Toward the viewer.
         let turn = Quat::from_rotation_y(-FRAC_PI_2);
-        let posed = pose_wood(&mut plant, &provenance, &mut vec![pose(2, turn, Quat::IDENTITY)]);
+        let posed = posed(&mut plant, &provenance, &[pose(2, turn, Quat::IDENTITY)]);
         let middle = Vec3::Y * 0.5;
         assert_near(ends(&plant), [Vec3::Y, middle + Vec3::Z * 0.4, middle + Vec3::new(0.0, 0.2, 0.2)]);
-        let motion = posed.motion_at(1, middle + Vec3::Z * 0.3).unwrap();
+        let motion = posed.motion_at(&plant.branches[1], middle + Vec3::Z * 0.3).unwrap();
         assert!(motion.back(middle + Vec3::Z * 0.3).distance(middle + Vec3::X * 0.3) < 1e-5);
-        assert_eq!(posed.motion_at(0, Vec3::Y), None);
+        assert_eq!(posed.motion_at(&plant.branches[0], Vec3::Y), None);
     }
 
     #[test]
@@ -243,9 +299,9 @@ mod tests {
         let (to_viewer, up) = (Quat::from_rotation_y(-FRAC_PI_2), Quat::from_rotation_z(FRAC_PI_2));
         let poses = [pose(1, to_viewer, Quat::IDENTITY), pose(2, up, Quat::IDENTITY)];
         let (mut one, provenance) = tree();
-        pose_wood(&mut one, &provenance, &mut poses.to_vec());
+        posed(&mut one, &provenance, &poses);
         let (mut other, _) = tree();
-        pose_wood(&mut other, &provenance, &mut vec![poses[1], poses[0]]);
+        posed(&mut other, &provenance, &[poses[1], poses[0]]);
         assert_eq!(one, other);
         // The bough stands upright now, and the twig, which was to its left, is turned with the trunk.
         assert_near(ends(&one), [Vec3::Y, Vec3::Y * 0.9, Vec3::new(0.0, 0.7, -0.2)]);
@@ -254,11 +310,7 @@ mod tests {
     #[test]
     fn a_bend_keeps_the_length_and_the_base() {
         let (mut plant, provenance) = tree();
-        pose_wood(
-            &mut plant,
-            &provenance,
-            &mut vec![pose(1, Quat::IDENTITY, Quat::from_rotation_z(-FRAC_PI_2))],
-        );
+        posed(&mut plant, &provenance, &[pose(1, Quat::IDENTITY, Quat::from_rotation_z(-FRAC_PI_2))]);
         let trunk = &plant.branches[0].points;
         assert!((polyline::length(trunk) - 1.0).abs() < 1e-4);
         // A quarter of a circle of length 1.
@@ -271,27 +323,43 @@ mod tests {
     }
 
     #[test]
+    fn a_bough_slides_along_its_trunk_with_its_twigs_and_a_trunk_over_the_ground() {
+        let (mut plant, provenance) = tree();
+        let shifted =
+            |stroke: u64, shift: Vec3| PartPose { shift, ..pose(stroke, Quat::IDENTITY, Quat::IDENTITY) };
+        let poses = [shifted(1, Vec3::new(0.0, 70.0, 200.0)), shifted(2, Vec3::new(90.0, 250.0, 0.0))];
+        let posed = posed(&mut plant, &provenance, &poses);
+        let trunk = Vec3::Z * 0.2;
+        let foot = trunk + Vec3::Y * 0.75;
+        assert_near(ends(&plant), [trunk + Vec3::Y, foot + Vec3::X * 0.4, foot + Vec3::new(0.2, 0.2, 0.0)]);
+        let frame = posed.frame(&plant.branches[1]);
+        assert!(frame.stood.distance(trunk + Vec3::Y * 0.5) < 1e-6 && frame.foot == Quat::IDENTITY);
+        plant.check_invariants().unwrap();
+    }
+
+    #[test]
     fn a_branch_that_runs_on_in_another_is_posed_from_where_it_begins() {
         let (still, _) = tree();
         let name = GrownId(5);
         let continued = [Continued { name, branch: 0, from: Vec3::Y * 0.75 }];
-        let posed = |pose: WoodPose| {
+        let posed = |pose: PartPose| {
             let (mut plant, mut buds) = (still.clone(), FlowerBuds::default());
             let mut poses = vec![pose];
             let to = (&mut plant, &mut buds);
-            pose_grown_wood(to, &continued, &mut poses, &mut Posed::default());
+            let by = (&PartNames::default(), &mut poses, 0.001);
+            pose_grown_wood(to, &continued, by, &mut Posed::default());
             assert!(poses.is_empty());
             plant
         };
-        let pose = WoodPose::still(WoodName::Grown(name.0));
-        let turned = posed(WoodPose { turn: Quat::from_rotation_z(FRAC_PI_2), ..pose });
+        let pose = PartPose::still(PartName::Grown(name.0));
+        let turned = posed(PartPose { turn: Quat::from_rotation_z(FRAC_PI_2), ..pose });
         let end = turned.branches[0].points[20];
         assert!(end.distance(Vec3::new(-0.25, 0.75, 0.0)) < 1e-4, "{end}");
         assert_eq!(turned.branches[1..], still.branches[1..], "what is below stays");
-        let cut = posed(WoodPose { is_cut: true, ..pose });
+        let cut = posed(PartPose { is_cut: true, ..pose });
         assert!((cut.branches[0].points.last().unwrap().y - 0.75).abs() < 1e-5);
         assert_eq!(cut.branches.len(), 3);
-        let thick = posed(WoodPose { thickness: 2.0, ..pose });
+        let thick = posed(PartPose { thickness: 2.0, ..pose });
         assert_eq!((thick.branches[0].radii[14], thick.branches[0].radii[16]), (0.01, 0.02));
     }
 
@@ -299,7 +367,7 @@ mod tests {
     fn poses_of_strokes_that_are_not_there_rest() {
         let (mut plant, provenance) = tree();
         let before = plant.clone();
-        pose_wood(&mut plant, &provenance, &mut vec![pose(9, Quat::from_rotation_z(1.0), Quat::IDENTITY)]);
+        posed(&mut plant, &provenance, &[pose(9, Quat::from_rotation_z(1.0), Quat::IDENTITY)]);
         assert_eq!(plant, before);
     }
 }

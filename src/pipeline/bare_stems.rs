@@ -6,7 +6,8 @@
 
 use super::rose::{branches, put_on};
 use super::setup::Params;
-use crate::plant::{Branch, FlowerBud, FlowerBuds, Organ, OrganKind, Plant};
+use crate::plant::{Branch, FlowerBud, FlowerBuds, GrownId, Organ, OrganKind, Origin, Plant, Provenance};
+use crate::random::Choice;
 use crate::rose::{DrawnStem, RoseHabit, Season, on_stems};
 use crate::species::Species;
 use glam::Vec3;
@@ -15,7 +16,11 @@ use glam::Vec3;
 const OF_STEM: f32 = 0.7;
 
 /// Adds what the species has on stems where nothing but stems was drawn; the buds of its flowers.
-pub(super) fn furnish(plant: &mut Plant, (species, params): (&Species, &Params), seed: u64) -> FlowerBuds {
+pub(super) fn furnish(
+    (plant, provenance): (&mut Plant, &Provenance),
+    (species, params): (&Species, &Params),
+    seed: u64,
+) -> FlowerBuds {
     let is_beside = |organ: &Organ| organ.kind() == OrganKind::Pot;
     let is_bare =
         plant.flowers.is_empty() && !plant.branches.is_empty() && plant.organs.iter().all(is_beside);
@@ -24,7 +29,7 @@ pub(super) fn furnish(plant: &mut Plant, (species, params): (&Species, &Params),
     }
     match &params.rose {
         Some(habit) => rose(plant, (habit, &Season::at(params.season.time)), species, seed),
-        None => flowers_at_ends(plant, species, params),
+        None => flowers_at_ends((plant, provenance), species, params),
     }
 }
 
@@ -45,7 +50,11 @@ fn rose(plant: &mut Plant, of: (&RoseHabit, &Season), species: &Species, seed: u
 }
 
 /// A bud of the species' first full flower at each end.
-fn flowers_at_ends(plant: &Plant, species: &Species, params: &Params) -> FlowerBuds {
+fn flowers_at_ends(
+    (plant, provenance): (&Plant, &Provenance),
+    species: &Species,
+    params: &Params,
+) -> FlowerBuds {
     let look = species.looks_of_drawn().into_iter().find(|look| species.flowers[*look].layers.is_some());
     let Some(look) = look.filter(|_| species.inflorescence.is_none()) else { return FlowerBuds::default() };
     let reach = params.flower.bloom.reach;
@@ -54,7 +63,9 @@ fn flowers_at_ends(plant: &Plant, species: &Species, params: &Params) -> FlowerB
         let along = (*end - *before).try_normalize()?;
         let axis = (along * OF_STEM + Vec3::Z * (1.0 - OF_STEM)).try_normalize()?;
         let u = axis.any_orthonormal_vector() * reach;
-        Some(FlowerBud { branch: Some(index), base: *end, u, v: axis * reach, look, open: 1.0 })
+        let name = |stroke| Origin::Grown(GrownId(Choice::NAME_OF_FLOWER.key(stroke)));
+        let origin = provenance.stroke(branch.origin).map_or(Origin::Generated, name);
+        Some(FlowerBud { origin, branch: Some(index), base: *end, u, v: axis * reach, look, open: 1.0 })
     };
     FlowerBuds { buds: plant.branches.iter().enumerate().filter_map(bud).collect(), is_thinned: false }
 }

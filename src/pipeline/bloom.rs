@@ -4,9 +4,7 @@
 use super::figure_plant;
 use super::setup::Params;
 use super::source::{Bloom, Produced};
-use crate::anatomy::Anatomy;
-use crate::modelling::DrawnWood;
-use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Provenance, Role, WoodPart};
+use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Role, WoodPart};
 use crate::random::stream;
 use crate::sketch::{Remark, Warning};
 use crate::species::Species;
@@ -32,18 +30,7 @@ pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> 
         },
     };
     let (plant, buds) = made;
-    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced {
-        plant,
-        buds,
-        provenance,
-        remarks,
-        anatomy,
-        growth: None,
-        obstacles: params.obstacle.beside(Vec3::ZERO),
-        wood: DrawnWood::default(),
-        may_flower: true,
-    }
+    Produced { plant, buds, remarks, obstacles: params.obstacle.beside(Vec3::ZERO), ..Produced::default() }
 }
 
 /// One flower on its stem.
@@ -51,7 +38,8 @@ fn single(look: &BloomLook, seed: u64) -> (Plant, FlowerBuds) {
     let (stem, axis) = stem(look, seed);
     let end = stem.points[stem.points.len() - 1];
     let u = axis.any_orthonormal_vector() * look.reach;
-    let bud = FlowerBud { branch: Some(0), base: end, u, v: axis * look.reach, look: 0, open: 1.0 };
+    let origin = Origin::Generated;
+    let bud = FlowerBud { origin, branch: Some(0), base: end, u, v: axis * look.reach, look: 0, open: 1.0 };
     let plant = Plant { branches: vec![stem], ..Plant::default() };
     (plant, FlowerBuds { buds: vec![bud], is_thinned: false })
 }

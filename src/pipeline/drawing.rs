@@ -11,9 +11,9 @@ use crate::depth::{self, Given};
 use crate::growth::overlay::{Spot, Wanted};
 use crate::growth::{KeptObstacles, Memory, PlantAtAge, brush};
 use crate::learned_depth;
-use crate::modelling::{self, DrawnWood};
-use crate::plant::{Branch, Plant, Provenance};
-use crate::sketch::{Sketch, Warning, WoodPose};
+use crate::modelling::{self, DrawnWood, PartNames};
+use crate::plant::{Branch, Continued, Plant, Provenance};
+use crate::sketch::{PartPose, Sketch, Warning};
 use crate::species::Species;
 use glam::Vec3;
 
@@ -67,8 +67,8 @@ pub(super) fn produce(
         let given = Given { seed: sketch.seed, petal_shapes: &sketch.petal_shapes, field: field.as_deref() };
         depth::recover_with(&mut memory.depth, &anatomy, given, &params.depth)
     });
-    // What of them finds its branch is taken out.
-    let mut poses = sketch.wood_poses.to_vec();
+    // What of them finds its part is taken out.
+    let mut poses = sketch.part_poses.to_vec();
     let mut wood = clock.time("modelling", || {
         let drawn = (&anatomy, &mut plant, &mut provenance);
         modelled(&mut memory.modelling, sketch, drawn, (params, &mut poses), &mut remarks)
@@ -83,6 +83,7 @@ pub(super) fn produce(
     if grows || has_brushes {
         wood.before_growth = Some(plant.branches.clone());
     }
+    let (names, scale) = (PartNames::new(&provenance), provenance.world_from_canvas.scale);
     let (mut made, growth, continued) = if grows {
         let grown = clock.time("growth", || {
             growing::grow_on(
@@ -100,10 +101,14 @@ pub(super) fn produce(
     } else {
         memory.growth.clear();
         remarks.extend(brushing::lights_nothing(sketch));
-        let buds = bare_stems::furnish(&mut plant, (species, params), sketch.seed);
+        let buds = bare_stems::furnish((&mut plant, &provenance), (species, params), sketch.seed);
         (PlantAtAge { plant, buds }, None, Vec::new())
     };
-    modelling::pose_grown_wood((&mut made.plant, &mut made.buds), &continued, &mut poses, &mut wood.posed);
+    let mut pose_grown = |made: &mut PlantAtAge, continued: &[Continued]| {
+        let (of, by) = ((&mut made.plant, &mut made.buds), (&names, &mut poses, scale));
+        modelling::pose_grown_wood(of, continued, by, &mut wood.posed);
+    };
+    pose_grown(&mut made, &continued);
     if has_brushes {
         let habit = memory.growth.habit().cloned();
         let (provenance, obstacles) = (&provenance, obstacles.clone());
@@ -112,13 +117,14 @@ pub(super) fn produce(
         let brushed =
             clock.time("brushes", || brushing::brush(&mut memory.brushes, &mut made, given, with, stop))?;
         remarks.extend(brushed);
-        modelling::pose_grown_wood((&mut made.plant, &mut made.buds), &[], &mut poses, &mut wood.posed);
+        pose_grown(&mut made, &[]);
     } else {
         memory.brushes.truncate(0);
     }
-    remarks.extend(modelling::poses_at_rest(&poses));
     let PlantAtAge { plant, buds } = made;
-    Some(Produced { plant, buds, provenance, remarks, anatomy, growth, obstacles, wood, may_flower: true })
+    let made =
+        Produced { plant, buds, provenance, remarks, anatomy, growth, obstacles, ..Produced::default() };
+    Some(Produced { wood, poses, ..made })
 }
 
 /// Where the first trunk of some wood stands, metres.
@@ -132,7 +138,7 @@ fn modelled(
     memory: &mut modelling::Cache,
     sketch: &Sketch,
     (anatomy, plant, provenance): (&Anatomy, &mut Plant, &mut Provenance),
-    (params, poses): (&Params, &mut Vec<WoodPose>),
+    (params, poses): (&Params, &mut Vec<PartPose>),
     remarks: &mut Vec<Warning>,
 ) -> DrawnWood {
     let in_space: Vec<_> = sketch.in_space().collect();
@@ -144,7 +150,8 @@ fn modelled(
     let diagonal = yardstick(sketch, anatomy, (plant, provenance), params);
     let radii = &params.depth.radii;
     remarks.extend(modelling::add_branches(memory, (plant, provenance), &in_space, diagonal, radii));
-    DrawnWood { posed: modelling::pose_wood(plant, provenance, poses), ..DrawnWood::default() }
+    let (names, scale) = (PartNames::new(provenance), provenance.world_from_canvas.scale);
+    DrawnWood { posed: modelling::pose_wood(plant, &names, poses, scale), ..DrawnWood::default() }
 }
 
 /// The yardstick of what is drawn in space, canvas pixels. A drawing of nothing else has the world of its sheet.

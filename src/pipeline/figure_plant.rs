@@ -51,6 +51,7 @@ fn bud(item: &Item, looks: &[usize]) -> Option<FlowerBud> {
     let size = item.args[1] * item.scale;
     let (base, u, v) = (item.origin, item.left * size, item.heading * size);
     (size > 0.0).then_some(FlowerBud {
+        origin: Origin::Generated,
         branch: item.stem,
         base,
         u,

@@ -12,7 +12,7 @@ use crate::cards;
 use crate::growth::Obstacles;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
-use crate::modelling::DrawnWood;
+use crate::modelling::{self, DrawnWood, PartNames};
 use crate::plant::{FinishedPlant, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
@@ -69,8 +69,9 @@ pub(super) fn finish(
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
-    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, obstacles, wood, may_flower } =
+    let Produced { plant, buds, provenance, mut remarks, anatomy, growth, obstacles, mut wood, .. } =
         produced;
+    let (mut poses, may_flower) = (produced.poses, produced.may_flower);
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } = species::apply_within(
@@ -85,11 +86,14 @@ pub(super) fn finish(
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
         species::textures::lay_over(&mut plant, pictures);
+        let by = (&PartNames::new(&provenance), &mut poses, provenance.world_from_canvas.scale);
+        plant.reshape(|plant| modelling::pose_organs(plant, by, &mut wood.posed));
         placing.iter().for_each(|placing| placing.place(&mut plant));
         debug_assert_eq!(plant.check_invariants(), Ok(()));
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
+    modelling::poses_at_rest(&poses).into_iter().for_each(&mut remark);
     let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
     let plant = match params.cards.used {
         true => clock.time("cards", || {

@@ -14,7 +14,7 @@ use crate::growth::{
 use crate::learned_depth::DepthField;
 use crate::plant::{Continued, Plant, Provenance};
 use crate::quote;
-use crate::sketch::{Remark, Sketch, StrokeId, Warning, WoodName};
+use crate::sketch::{PartName, Remark, Sketch, StrokeId, Warning};
 use crate::species::Species;
 use std::sync::Arc;
 
@@ -77,9 +77,9 @@ pub(super) fn grow_on(
     }
     of_growth.extend(why_no_older(grown.outcome, grown.simulation.age()));
     remarks.extend(of_growth.into_iter().map(|remark| Warning { stroke, remark }));
-    let posed = sketch.wood_poses.iter().filter_map(|pose| match pose.wood {
-        WoodName::Grown(name) => Some(name),
-        WoodName::Stroke(_) => None,
+    let posed = sketch.part_poses.iter().filter_map(|pose| match pose.part {
+        PartName::Grown(name) => Some(name),
+        PartName::Stroke(_) => None,
     });
     let posed = posed.collect();
     let (made, continued) = merge::merged((drawn, provenance), &grows, &grown, &posed);

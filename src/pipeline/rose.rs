@@ -2,11 +2,9 @@
 
 use super::setup::Params;
 use super::source::{Produced, Seed};
-use crate::anatomy::Anatomy;
-use crate::modelling::DrawnWood;
 use crate::plant::{
-    Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, Provenance,
-    RestSurface, Role, Shape, Template, TemplateId, WoodPart,
+    Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, RestSurface,
+    Role, Shape, Template, TemplateId, WoodPart,
 };
 use crate::rose::{self, Leaf, RoseBud, RoseHabit, Season, Shrub};
 use crate::species::Species;
@@ -31,18 +29,7 @@ pub(super) fn produce(seed: &Seed, habit: &RoseHabit, (species, params): (&Speci
     let shrub = rose::shrub(habit, &Season::at(params.season.time), seed.number);
     let mut plant = Plant { branches: branches(&shrub.stems), ..Plant::default() };
     let buds = put_on(&mut plant, &shrub, species);
-    let (provenance, anatomy) = (Provenance::default(), Anatomy::default());
-    Produced {
-        plant,
-        buds,
-        provenance,
-        remarks: Vec::new(),
-        anatomy,
-        growth: None,
-        obstacles: params.obstacle.beside(Vec3::ZERO),
-        wood: DrawnWood::default(),
-        may_flower: true,
-    }
+    Produced { plant, buds, obstacles: params.obstacle.beside(Vec3::ZERO), ..Produced::default() }
 }
 
 /// Puts leaves and hips of a rose on a plant that has its stems; its flower buds.
@@ -89,7 +76,7 @@ fn whole_leaf(leaf: &Leaf, template: TemplateId, species: &Species) -> Organ {
 fn bud(bud: &RoseBud) -> Option<FlowerBud> {
     let u = bud.axis.any_orthonormal_vector() * bud.reach;
     let (branch, base, v) = (Some(bud.stem), bud.base, bud.axis * bud.reach);
-    Some(FlowerBud { branch, base, u, v, look: 0, open: bud.open? })
+    Some(FlowerBud { origin: Origin::Generated, branch, base, u, v, look: 0, open: bud.open? })
 }
 
 fn hip(bud: &RoseBud) -> Option<Organ> {

@@ -11,7 +11,6 @@ use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::{
     self, Envelope, Habit, ObstacleParams, Outcome, PlantAtAge, Schedule, Simulation, drawing,
 };
-use crate::modelling::DrawnWood;
 use crate::plant::{Plant, Provenance};
 use crate::sketch::Warning;
 use crate::species::Species;
@@ -150,8 +149,8 @@ pub(super) fn produce(
         anatomy,
         growth: Some(ages),
         obstacles,
-        wood: DrawnWood::default(),
         may_flower,
+        ..Produced::default()
     })
 }
 

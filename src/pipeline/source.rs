@@ -9,7 +9,7 @@ use crate::growth::habit::Resource;
 use crate::growth::{Envelope, Field, Limits, Obstacles, Outcome, Simulation};
 use crate::modelling::DrawnWood;
 use crate::plant::{Branch, FlowerBuds, Plant, Provenance};
-use crate::sketch::{Sketch, Warning};
+use crate::sketch::{PartPose, Sketch, Warning};
 use std::sync::Arc;
 
 /// What a plant is made from.
@@ -84,8 +84,28 @@ pub struct Produced {
     pub obstacles: Option<Arc<Obstacles>>,
     /// Its drawn wood, as it was modelled.
     pub wood: DrawnWood,
+    /// Poses of its drawing that are of no branch.
+    pub poses: Vec<PartPose>,
     /// Whether it is old enough for the flowers of its species.
     pub may_flower: bool,
+}
+
+impl Default for Produced {
+    /// No plant, which may flower.
+    fn default() -> Self {
+        Self {
+            plant: Plant::default(),
+            buds: FlowerBuds::default(),
+            provenance: Provenance::default(),
+            remarks: Vec::new(),
+            anatomy: Anatomy::default(),
+            growth: None,
+            obstacles: None,
+            wood: DrawnWood::default(),
+            poses: Vec::new(),
+            may_flower: true,
+        }
+    }
 }
 
 impl Produced {

@@ -46,10 +46,7 @@ impl Plant {
         if is_untouched && [&flowers, &organs, &of_buds].into_iter().flatten().all(|stays| *stays) {
             return false;
         }
-        retain(&mut self.organs, &organs);
-        let places = new_places(&flowers);
-        self.organs.iter_mut().for_each(|organ| organ.flower = organ.flower.map(|flower| places[flower]));
-        retain(&mut self.flowers, &flowers);
+        self.keep_organs(&organs, &flowers);
         retain(&mut buds.buds, &of_buds);
         let kept: Vec<bool> = cuts.iter().map(|cut| *cut != Cut::Gone).collect();
         let places = new_places(&kept);
@@ -60,10 +57,20 @@ impl Plant {
             }
         }
         self.keep_branches(&kept);
-        self.drop_unused_templates();
         debug_assert_eq!(self.check_invariants(), Ok(()));
         debug_assert_eq!(buds.check_invariants(self), Ok(()));
         true
+    }
+}
+
+impl Plant {
+    /// Takes away the organs and flowers that do not stay; the organs of such a flower are to be among them.
+    pub fn keep_organs(&mut self, organs: &[bool], flowers: &[bool]) {
+        retain(&mut self.organs, organs);
+        let places = new_places(flowers);
+        self.organs.iter_mut().for_each(|organ| organ.flower = organ.flower.map(|flower| places[flower]));
+        retain(&mut self.flowers, flowers);
+        self.drop_unused_templates();
     }
 }
 

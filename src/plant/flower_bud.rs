@@ -3,13 +3,15 @@
 //! They stand beside the plant that carries them, not in it: a maker gives both, and a species makes flowers of the plant out
 //! of them or drops them, so that no finished plant has any.
 
-use super::Plant;
 use super::invariants::ensure;
+use super::{Origin, Plant};
 use glam::Vec3;
 
 /// A flower that has not opened; a species says what it becomes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlowerBud {
+    /// What it is known by.
+    pub origin: Origin,
     /// The branch it grows on.
     pub branch: Option<usize>,
     /// Where it stands, metres.
@@ -62,7 +64,9 @@ mod tests {
 
     #[test]
     fn buds_that_cannot_be_are_named() {
-        let bud = FlowerBud { branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y, look: 0, open: 1.0 };
+        let origin = Origin::Generated;
+        let bud =
+            FlowerBud { origin, branch: None, base: Vec3::Y, u: Vec3::X, v: Vec3::Y, look: 0, open: 1.0 };
         let check = |second: FlowerBud| {
             FlowerBuds { buds: vec![bud, second], is_thinned: false }.check_invariants(&Plant::default())
         };

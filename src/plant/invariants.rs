@@ -126,7 +126,14 @@ mod tests {
         let (base, axis, points) = (Vec3::Y, Vec3::Y, vec![Vec3::ZERO, Vec3::Y]);
         Plant {
             branches: vec![branch(None, 0), branch(Some(0), 0), branch(Some(1), 1)],
-            flowers: vec![Flower { branch: Some(1), cone, centre_radius: 0.01, reach: 0.1, look: 0 }],
+            flowers: vec![Flower {
+                origin: Origin::Generated,
+                branch: Some(1),
+                cone,
+                centre_radius: 0.01,
+                reach: 0.1,
+                look: 0,
+            }],
             organs: vec![
                 organ(Shape::Dome { base, axis, radius: 0.1, height: 0.1 }),
                 organ(Shape::Filament { points, radius: 0.1, head: Vec2::ZERO }),

@@ -90,6 +90,8 @@ impl Branch {
 /// Pose of one flower: the cone on which its petals stand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flower {
+    /// What it is known by: its petals may be drawn, it as a whole is not.
+    pub origin: Origin,
     /// The branch that ends in it.
     pub branch: Option<usize>,
     /// Apex, axis and opening of the petals' cone; the apex is the flower's centre.

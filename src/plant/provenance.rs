@@ -49,18 +49,19 @@ impl WorldFromCanvas {
 }
 
 /// Whether somebody drew a branch or an organ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Origin {
     /// A rule made it: growth, the filling of an outline, a species.
     #[default]
     Generated,
-    /// It grew on a drawn plant, and is found again by its name.
+    /// It grew on a drawn plant, or is made of drawn parts, and is found again by its name.
     Grown(GrownId),
     /// Somebody drew this very one; the [`Provenance`] knows what with.
     Drawn(DrawnId),
 }
 
-/// Name of a branch that grew: a hash of the way of buds that it grew from, the same at every age.
+/// Name of a branch or organ that grew: a hash of the way of buds that it grew from, the same at every age; or of a flower as a
+/// whole, a hash of the strokes of its petals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct GrownId(pub u64);
 
@@ -77,8 +78,15 @@ pub struct Continued {
 }
 
 /// Number of a drawn thing in the [`Provenance`] of its plant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DrawnId(u32);
+
+impl DrawnId {
+    /// Its place among the drawn things of its plant.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
 
 impl Origin {
     /// Whether somebody drew it.
@@ -108,6 +116,11 @@ impl Provenance {
         Origin::Drawn(DrawnId(self.strokes.len() as u32 - 1))
     }
 
+    /// The stroke of each drawn thing, in the order in which they were recorded.
+    pub fn strokes(&self) -> &[u64] {
+        &self.strokes
+    }
+
     /// Gives the strokes behind everything that is drawn other names.
     pub fn rename(&mut self, name: impl Fn(u64) -> u64) {
         self.strokes.iter_mut().for_each(|stroke| *stroke = name(*stroke));
@@ -117,7 +130,7 @@ impl Provenance {
     pub fn stroke(&self, origin: Origin) -> Option<u64> {
         match origin {
             Origin::Generated | Origin::Grown(_) => None,
-            Origin::Drawn(DrawnId(number)) => self.strokes.get(number as usize).copied(),
+            Origin::Drawn(drawn) => self.strokes.get(drawn.index()).copied(),
         }
     }
 

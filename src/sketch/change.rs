@@ -1,7 +1,7 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{Corrections, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures, WoodPoses};
+use super::{Corrections, PartPoses, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -81,8 +81,8 @@ impl Change {
     }
 
     /// Other poses of branches, all of them.
-    pub fn wood_poses(wood_poses: WoodPoses) -> Self {
-        Settings { wood_poses: Some(wood_poses), ..Settings::default() }.into()
+    pub fn part_poses(part_poses: PartPoses) -> Self {
+        Settings { part_poses: Some(part_poses), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

@@ -7,7 +7,7 @@
 use super::change::{Change, StrokeChange};
 use super::sound;
 use super::step::{Step, Swap};
-use super::{Sketch, Stroke, StrokeId, WoodName, WoodPose, limits};
+use super::{PartName, PartPose, Sketch, Stroke, StrokeId, limits};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -54,11 +54,11 @@ impl Document {
         let corrected = sketch.corrections.iter().filter_map(|correction| correction.strokes.last());
         let shaped = sketch.petal_shapes.iter().filter_map(|shape| shape.strokes.last());
         let ids = sketch.strokes.iter().map(|s| &s.id).chain(corrected).chain(shaped);
-        let drawn = |pose: &WoodPose| match pose.wood {
-            WoodName::Stroke(stroke) => Some(stroke),
-            WoodName::Grown(_) => None,
+        let drawn = |pose: &PartPose| match pose.part {
+            PartName::Stroke(stroke) => Some(stroke),
+            PartName::Grown(_) => None,
         };
-        let ids = ids.copied().chain(sketch.wood_poses.iter().filter_map(drawn));
+        let ids = ids.copied().chain(sketch.part_poses.iter().filter_map(drawn));
         let last_id = ids.max().unwrap_or(0);
         Self {
             sketch,

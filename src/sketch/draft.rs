@@ -8,8 +8,8 @@ use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
 use super::{
-    Brush, Canvas, Corrections, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId, StrokePoint,
-    Tool, WoodPoses, limits,
+    Brush, Canvas, Corrections, PartPoses, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId,
+    StrokePoint, Tool, limits,
 };
 use glam::{Vec2, Vec3};
 use serde_json::{Map, Value};
@@ -28,7 +28,7 @@ pub(super) struct Draft {
     pub(super) plants: Vec<PlacedPlant>,
     pub(super) corrections: Corrections,
     pub(super) petal_shapes: PetalShapes,
-    pub(super) wood_poses: WoodPoses,
+    pub(super) part_poses: PartPoses,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
@@ -93,7 +93,7 @@ impl Draft {
             plants,
             corrections,
             petal_shapes,
-            wood_poses,
+            part_poses,
             strokes: _,
         } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
@@ -108,7 +108,7 @@ impl Draft {
             plants,
             corrections,
             petal_shapes,
-            wood_poses,
+            part_poses,
             strokes,
         };
         if canvas.is_none() {

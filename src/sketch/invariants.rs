@@ -1,7 +1,7 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
 use super::{
-    Sketch, Stroke, StrokePoint, brush, corrections, limits, petal_shapes, plants, textures, wood_poses,
+    Sketch, Stroke, StrokePoint, brush, corrections, limits, part_poses, petal_shapes, plants, textures,
 };
 use glam::Vec2;
 use std::collections::HashSet;
@@ -28,7 +28,7 @@ impl Sketch {
         plants::check(&self.plants).map_err(|error| error.to_string())?;
         corrections::check(&self.corrections)?;
         petal_shapes::check(&self.petal_shapes)?;
-        wood_poses::check(&self.wood_poses)?;
+        part_poses::check(&self.part_poses)?;
         self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }

@@ -16,7 +16,7 @@
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]`, all these and the time, or these and the depth. Only `format`,
 //! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object:
-//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals), `wood_poses` (how branches are turned and bent) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
+//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals), `wood_poses` (how branches and organs are turned and moved) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
 //! that textures name, in base64); all of it is described in `docs/sketches.md`. Unknown fields are errors, so that a typing mistake does not pass unseen. Reading what [`write()`]
 //! wrote gives the same sketch, bit by bit.
 
@@ -26,6 +26,7 @@ mod names;
 mod number;
 mod params;
 mod parse;
+mod part_poses;
 mod petal_shapes;
 mod picture;
 mod plants;
@@ -33,7 +34,6 @@ mod point;
 mod progress;
 mod reference;
 pub(super) mod step;
-mod wood_poses;
 mod write;
 
 pub use fault::newer_version;
@@ -43,6 +43,7 @@ pub(super) use parse::parse;
 pub use write::write;
 
 use super::{Sketch, Stroke, TextureChoice, Tool};
+use glam::Vec3;
 
 /// What the `format` field says.
 pub const FORMAT: &str = "penstemon-sketch";
@@ -52,14 +53,17 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// 1: all but pictures of the artist's own for textures, of which only the path was kept. 2: these pictures themselves. 3: plants
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
-/// light brush. 9: poses of branches that grew, and their thickness.
-pub const VERSION: u32 = 9;
+/// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on.
+pub const VERSION: u32 = 10;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
     let has_depth = |stroke: &Stroke| stroke.points.iter().any(|point| point.depth != 0.0);
     let is_in_space = |stroke: &Stroke| stroke.tool == Tool::SpaceBranch || has_depth(stroke);
-    if sketch.wood_poses.iter().any(|pose| !pose.is_of_first_kind()) {
+    if sketch.part_poses.iter().any(|pose| pose.shift != Vec3::ZERO) {
+        return 10;
+    }
+    if sketch.part_poses.iter().any(|pose| !pose.is_of_first_kind()) {
         return 9;
     }
     if sketch.brush_strokes().any(|stroke| stroke.tool == Tool::LightBrush) {
@@ -68,7 +72,7 @@ fn version_of(sketch: &Sketch) -> u32 {
     if sketch.brush_strokes().next().is_some() {
         return 7;
     }
-    if !sketch.wood_poses.is_empty() || sketch.strokes.iter().any(|stroke| is_in_space(stroke)) {
+    if !sketch.part_poses.is_empty() || sketch.strokes.iter().any(|stroke| is_in_space(stroke)) {
         return 6;
     }
     if !sketch.petal_shapes.is_empty() {

@@ -69,8 +69,8 @@ pub const MAX_SHAPED_STROKES: usize = MAX_CORRECTED_STROKES;
 /// Farthest that a control point of a petal is moved along each of its directions, in shares of the petal's length.
 pub const MAX_PETAL_OFFSET: f32 = 2.0;
 
-/// Most branches that the artist turned or bent.
-pub const MAX_WOOD_POSES: usize = 4096;
+/// Most branches and organs that the artist turned or moved.
+pub const MAX_PART_POSES: usize = 4096;
 
 /// Most remarks kept; the rest is counted.
 pub const MAX_WARNINGS: usize = 100;

@@ -15,6 +15,7 @@ mod invariants;
 pub mod journal;
 pub mod json;
 pub mod limits;
+pub mod part_poses;
 pub mod petal_shapes;
 pub mod plants;
 pub mod read;
@@ -29,7 +30,6 @@ pub mod stroke_reading;
 pub mod svg;
 pub mod textures;
 pub(crate) mod warnings;
-pub mod wood_poses;
 
 pub use brush::{Brush, DENSITIES as BRUSH_DENSITIES, GUIDES as BRUSH_GUIDES};
 pub use change::{Change, StrokeChange};
@@ -45,7 +45,7 @@ pub use step::Step;
 pub use stroke_reading::Reading;
 pub use textures::{TextureChoice, Textures};
 
-pub use wood_poses::{WoodName, WoodPose, WoodPoses};
+pub use part_poses::{PartName, PartPose, PartPoses};
 
 pub use crate::picture::Picture;
 
@@ -206,7 +206,7 @@ pub struct Sketch {
     /// What the artist makes of petals.
     pub petal_shapes: PetalShapes,
     /// How the artist turned and bent branches.
-    pub wood_poses: WoodPoses,
+    pub part_poses: PartPoses,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -224,7 +224,7 @@ impl Sketch {
             plants: Vec::new(),
             corrections: Corrections::default(),
             petal_shapes: PetalShapes::default(),
-            wood_poses: WoodPoses::default(),
+            part_poses: PartPoses::default(),
             strokes: Vec::new(),
         }
     }

@@ -183,10 +183,10 @@ pub enum Remark {
     /// Painted light beside a plant that does not grow.
     #[error("draws nothing toward it: the plant does not grow; draw a crown, or set years of growth")]
     LightsNothing,
-    /// Poses of branches that are not there.
+    /// Poses of parts that are not there.
     #[error(
-        "{} of branches, turned, bent or cut off, {} without effect: these branches are not there, at this age or any more",
-        counted(.poses, "pose"), if *.poses == 1 { "is" } else { "are" }
+        "{} that {} turned, moved or taken away {} not there, at this age or any more: that is without effect",
+        counted(.poses, "part"), if *.poses == 1 { "was" } else { "were" }, if *.poses == 1 { "is" } else { "are" }
     )]
     PosesRest {
         /// How many.

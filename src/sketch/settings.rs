@@ -1,7 +1,7 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
 use super::{
-    Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, WoodPoses, textures,
+    Canvas, Corrections, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, textures,
 };
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -57,7 +57,7 @@ settings! {
     /// All shapes of petals.
     petal_shapes: PetalShapes,
     /// All poses of branches.
-    wood_poses: WoodPoses,
+    part_poses: PartPoses,
 }
 
 impl Settings {

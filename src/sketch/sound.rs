@@ -4,8 +4,8 @@ use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
 use super::{
-    Brush, Canvas, ReferenceError, Stroke, StrokePoint, brush, corrections, limits, petal_shapes, plants,
-    textures, wood_poses,
+    Brush, Canvas, ReferenceError, Stroke, StrokePoint, brush, corrections, limits, part_poses, petal_shapes,
+    plants, textures,
 };
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -53,7 +53,7 @@ pub enum ChangeError {
     PetalShapes(String),
     /// Too many poses of branches, or one that is no turn.
     #[error("{0}")]
-    WoodPoses(String),
+    PartPoses(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -79,7 +79,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
     settings.plants.as_deref().map_or(Ok(()), plants::check)?;
     settings.corrections.as_deref().map_or(Ok(()), corrections::check).map_err(ChangeError::Corrections)?;
     settings.petal_shapes.as_deref().map_or(Ok(()), petal_shapes::check).map_err(ChangeError::PetalShapes)?;
-    settings.wood_poses.as_deref().map_or(Ok(()), wood_poses::check).map_err(ChangeError::WoodPoses)?;
+    settings.part_poses.as_deref().map_or(Ok(()), part_poses::check).map_err(ChangeError::PartPoses)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

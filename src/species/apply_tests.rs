@@ -47,7 +47,8 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
     let reach = 0.04;
     let branch = (!plant.branches.is_empty()).then_some(0);
     let cone = Cone { apex: at, axis, opening_rad, height: reach * opening_rad.cos() };
-    plant.flowers.push(Flower { branch, cone, centre_radius, reach, look: 0 });
+    let origin = Origin::Generated;
+    plant.flowers.push(Flower { origin, branch, cone, centre_radius, reach, look: 0 });
     let side = axis.any_orthonormal_vector();
     for k in 0..petals {
         let around = Quat::from_axis_angle(axis, TAU * k as f32 / petals as f32) * side;
@@ -272,7 +273,8 @@ fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
 #[test]
 fn buds_that_were_left_out_count_as_flowers_that_do_not_open_where_buds_open() {
     let (u, v) = (Vec3::X * 0.02, Vec3::Y * 0.02);
-    let bud = FlowerBud { branch: Some(0), base: Vec3::Y, u, v, look: 0, open: 1.0 };
+    let bud =
+        FlowerBud { origin: Origin::Generated, branch: Some(0), base: Vec3::Y, u, v, look: 0, open: 1.0 };
     for (name, opens) in [("cherry", true), ("maple", false)] {
         let species = Species::built_in(name).unwrap();
         for is_thinned in [false, true] {

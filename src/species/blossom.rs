@@ -45,7 +45,7 @@ pub(super) fn blossom(
         let opens = is_generated_leaf(&organ) && rng.random_bool(f64::from(share));
         match &organ.shape {
             Shape::Blade(leaf) if opens => {
-                let bud = bud_of(&plant.templates.resolve(leaf), organ.branch);
+                let bud = bud_of(&plant.templates.resolve(leaf), &organ);
                 open(plant, &bud, rng);
             }
             _ => plant.organs.push(organ),
@@ -57,9 +57,9 @@ pub(super) fn blossom(
 }
 
 /// The bud in a leaf's place.
-fn bud_of(leaf: &ResolvedBlade<'_>, branch: Option<usize>) -> FlowerBud {
+fn bud_of(leaf: &ResolvedBlade<'_>, &Organ { origin, branch, .. }: &Organ) -> FlowerBud {
     let v = leaf.v * leaf.template.length();
-    FlowerBud { branch, base: leaf.base, u: leaf.u, v, look: 0, open: 1.0 }
+    FlowerBud { origin, branch, base: leaf.base, u: leaf.u, v, look: 0, open: 1.0 }
 }
 
 fn is_generated_leaf(organ: &Organ) -> bool {
@@ -94,7 +94,7 @@ fn pose(bud: &FlowerBud, reach: f32, look: &BlossomLook) -> Flower {
     let opening_rad = look.opening_deg.clamp(5.0, 85.0).to_radians();
     let cone =
         Cone { apex: bud.base + out * (0.4 * reach), axis, opening_rad, height: reach * opening_rad.cos() };
-    Flower { branch: bud.branch, cone, centre_radius: CENTRE * reach, reach, look: 0 }
+    Flower { origin: bud.origin, branch: bud.branch, cone, centre_radius: CENTRE * reach, reach, look: 0 }
 }
 
 /// The petals of a flower of a size; their template is that of a flower of size 1.

@@ -72,7 +72,8 @@ pub(super) fn open_buds(
         }
         let opening_rad = 1.0f32;
         let cone = Cone { apex: bud.base, axis, opening_rad, height: reach * opening_rad.cos() };
-        plant.flowers.push(Flower { branch: bud.branch, cone, centre_radius: 0.0, reach, look: index });
+        let (origin, branch) = (bud.origin, bud.branch);
+        plant.flowers.push(Flower { origin, branch, cone, centre_radius: 0.0, reach, look: index });
         openings.push(Opening { open: bud.open, side: bud.u.cross(bud.v).try_normalize() });
     }
     openings
@@ -83,7 +84,7 @@ fn disc(bud: &FlowerBud, axis: Vec3, look: &FlowerLook, index: usize) -> Organ {
     let radius = look.disc.radius.max(1e-3) * bud.v.length();
     Organ {
         role: Role { part: OrganPart::Disc, look: index as u32, variant: 0 },
-        origin: Origin::Generated,
+        origin: bud.origin,
         branch: bud.branch,
         flower: None,
         shape: Shape::Dome { base: bud.base, axis, radius, height: look.disc.height * radius },

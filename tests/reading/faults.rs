@@ -2,7 +2,7 @@
 
 use super::{read, with_points, with_strokes};
 use penstemon::sketch::error::Fault;
-use penstemon::sketch::{WoodName, from_bytes, json, limits};
+use penstemon::sketch::{PartName, from_bytes, json, limits};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -116,8 +116,8 @@ fn poses_of_branches_that_mean_nothing_are_refused() {
         GOOD.replace("\"strokes\": [\n", &format!("\"wood_poses\": {poses},\n  \"strokes\": [\n"))
     };
     let good = r#"{"stroke": 3, "turn": [0, 0.6, 0, 0.8]}"#;
-    let poses = read(&with(&format!("[{good}]"))).unwrap().0.wood_poses;
-    assert_eq!((poses.len(), poses[0].wood, poses[0].turn.y), (1, WoodName::Stroke(3), 0.6));
+    let poses = read(&with(&format!("[{good}]"))).unwrap().0.part_poses;
+    assert_eq!((poses.len(), poses[0].part, poses[0].turn.y), (1, PartName::Stroke(3), 0.6));
     for (bad, part) in [
         (
             r#"{"stroke": 4, "turn": [0, 0, 0, 0]}"#,
@@ -131,14 +131,16 @@ fn poses_of_branches_that_mean_nothing_are_refused() {
         (r#"{"grown": "ff"}"#, "16 hexadecimal digits"),
         (r#"{"grown": "00000000000000fx"}"#, "16 hexadecimal digits"),
         (r#"{"grown": "00000000000000ff", "thickness": 9}"#, "write a number from 0.2 to 5"),
+        (r#"{"stroke": 4, "shift": [0, 2e7, 0]}"#, "the `shift` of stroke 4 is too far"),
+        (r#"{"stroke": 4, "shift": [0, 1]}"#, "an array of length 3"),
         (r#"{"stroke": 4, "cut": true}"#, "leave out the stroke"),
         (r#"{"stroke": 4, "why": 1}"#, "unknown field `why`"),
     ] {
         assert_message(&with(&format!("[{good}, {bad}]")), &[part, "line "]);
     }
-    assert_message(&with("{}"), &["a list of poses of branches"]);
-    let many: Vec<String> = (0..=limits::MAX_WOOD_POSES).map(|id| format!(r#"{{"stroke": {id}}}"#)).collect();
-    assert_message(&with(&format!("[{}]", many.join(","))), &["poses of branches", "4096"]);
+    assert_message(&with("{}"), &["a list of poses of branches and organs"]);
+    let many: Vec<String> = (0..=limits::MAX_PART_POSES).map(|id| format!(r#"{{"stroke": {id}}}"#)).collect();
+    assert_message(&with(&format!("[{}]", many.join(","))), &["poses", "4096"]);
 }
 
 #[test]
@@ -206,11 +208,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 10, "strokes": []}"#;
-    assert_message(newer, &["version 10", "reads versions 1 to 9", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 11, "strokes": []}"#;
+    assert_message(newer, &["version 11", "reads versions 1 to 10", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 9"],
+        &["version 0", "reads versions 1 to 10"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);

@@ -3,8 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::{Quat, Vec3, vec2};
 use penstemon::sketch::{
-    Brush, Canvas, Correction, Maker, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch,
-    Stroke, StrokePoint, TextureChoice, Tool, Verdict, WoodName, WoodPose, from_bytes, json, limits,
+    Brush, Canvas, Correction, Maker, PartName, PartPose, PetalShape, Picture, PlacedPlant, Reading,
+    Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits,
     textures,
 };
 use proptest::prelude::*;
@@ -171,7 +171,7 @@ fn petal_shape() -> impl Strategy<Value = PetalShape> {
         .prop_map(|(strokes, offsets)| PetalShape::new(strokes, offsets.map(|row| row.map(Vec3::from))))
 }
 
-fn wood_poses() -> impl Strategy<Value = Vec<WoodPose>> {
+fn part_poses() -> impl Strategy<Value = Vec<PartPose>> {
     let turn = || {
         prop_oneof![
             Just(Quat::IDENTITY),
@@ -180,12 +180,13 @@ fn wood_poses() -> impl Strategy<Value = Vec<WoodPose>> {
         ]
     };
     let thickness = || prop_oneof![Just(1.0_f32), 0.2_f32..5.0];
-    let one = || (any::<bool>(), turn(), turn(), thickness(), any::<bool>());
+    let shift = || prop_oneof![Just(Vec3::ZERO), prop::array::uniform3(-1e7_f32..1e7).prop_map(Vec3::from)];
+    let one = || (any::<bool>(), turn(), turn(), shift(), thickness(), any::<bool>());
     let poses = prop::collection::btree_map(any::<u64>(), one(), 0..4);
     poses.prop_map(|poses| {
-        let pose = |(name, (grew, turn, bend, thickness, is_cut))| {
-            let wood = if grew { WoodName::Grown(name) } else { WoodName::Stroke(name) };
-            WoodPose { wood, turn, bend, thickness, is_cut: is_cut && grew }
+        let pose = |(name, (grew, turn, bend, shift, thickness, is_cut))| {
+            let part = if grew { PartName::Grown(name) } else { PartName::Stroke(name) };
+            PartPose { part, turn, bend, shift, thickness, is_cut: is_cut && grew }
         };
         poses.into_iter().map(pose).collect()
     })
@@ -208,7 +209,7 @@ prop_compose! {
         plants in prop::collection::vec(placed_plant(), 0..4),
         corrections in prop::collection::vec(correction(), 0..4),
         petal_shapes in prop::collection::vec(petal_shape(), 0..3),
-        wood_poses in wood_poses(),
+        part_poses in part_poses(),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20), brush()),
@@ -217,7 +218,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points, brush))| Arc::new(Stroke { id, tool, points, brush: tool.is_brush().then_some(brush) })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), wood_poses: wood_poses.into(), strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), part_poses: part_poses.into(), strokes }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::program::Program;
 use crate::screen::Screen;
 use crate::sketch_saved_by;
-use penstemon::sketch::{Sketch, Tool, WoodName};
+use penstemon::sketch::{PartName, Sketch, Tool};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -63,11 +63,11 @@ fn branches_are_drawn_turned_and_bent_and_each_is_one_step() {
     program.built();
     program.picture(&screen).keep("turned-in-space");
     let turned = saved(&screen, &mut program, &file);
-    assert_eq!(turned.wood_poses.len(), 1);
-    assert_eq!(turned.wood_poses[0].wood, WoodName::Stroke(drawn.strokes[0].id), "the trunk was dragged");
+    assert_eq!(turned.part_poses.len(), 1);
+    assert_eq!(turned.part_poses[0].part, PartName::Stroke(drawn.strokes[0].id), "the trunk was dragged");
     screen.hand(&["key", "ctrl+z"]);
     program.built();
-    assert_eq!(saved(&screen, &mut program, &file).wood_poses, [].into());
+    assert_eq!(saved(&screen, &mut program, &file).part_poses, [].into());
     screen.hand(&["key", "ctrl+z"]);
     program.built();
     assert_eq!(saved(&screen, &mut program, &file).strokes.len(), 2, "one step each");

@@ -21,7 +21,7 @@ impl Editor {
         picked.and_then(|picked| place_of(picked.element, &built.beside)) == Some(selected)
     }
 
-    /// Moves what is held in the view of the plant by what it was carried: a control point, a branch, its ring, or the selected plant.
+    /// Moves what is held in the view of the plant by what it was carried: a control point, a part, its ring, or the selected plant.
     pub(super) fn carry(&mut self) {
         let Some((from, to)) = self.plant.take_carried() else { return };
         if self.petals.hold.is_some() {
@@ -31,7 +31,7 @@ impl Editor {
             return self.drag_ring(to);
         }
         if self.posing.hold.is_some() {
-            return self.drag_wood(to);
+            return self.drag_part(to);
         }
         let Some((place, by)) = self.carried_by(from, to) else { return };
         if let Some(mut plant) = self.sketch().plants.get(place).cloned() {

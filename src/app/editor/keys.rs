@@ -55,8 +55,8 @@ impl Editor {
 
     /// Strokes that are selected go before a plant that is, and the branch that is held in the view of the plant before both.
     fn delete(&self) -> Action {
-        if self.can_cut_wood() {
-            return Action::CutWood;
+        if self.can_take_part_away() {
+            return Action::TakeAwayPart;
         }
         let plant = self.beside.selected().filter(|_| self.canvas.selection().is_empty());
         plant.map_or(Action::DeleteSelected, Action::RemovePlant)
@@ -77,7 +77,7 @@ impl Editor {
             Key::U => Some(self.toggled(Tool::GrowthBrush)),
             Key::X => Some(self.toggled(Tool::PruningBrush)),
             Key::I => Some(self.toggled(Tool::LightBrush)),
-            Key::J => Some(Action::PoseWood(!self.posing.is_on)),
+            Key::J => Some(Action::PoseParts(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),
             Key::Num1 => Some(Action::FrontView),

@@ -273,7 +273,7 @@ impl LivePlant {
             plants,
             corrections,
             petal_shapes,
-            wood_poses,
+            part_poses,
             strokes,
         } = sketch;
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
@@ -290,7 +290,7 @@ impl LivePlant {
             plants: plants.clone(),
             corrections: corrections.clone(),
             petal_shapes: petal_shapes.clone(),
-            wood_poses: wood_poses.clone(),
+            part_poses: part_poses.clone(),
             strokes: Vec::new(),
         };
         self.revisions.submitted += 1;

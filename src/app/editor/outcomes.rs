@@ -40,7 +40,7 @@ impl Editor {
         let over_carried = begins
             && (self.hold_control_point(at)
                 || self.hold_ring(at)
-                || self.hold_wood(at)
+                || self.hold_part(at)
                 || self.is_over_selected_plant(at));
         let draws = begins && (self.begin_in_space(&event.sample) || self.begin_painting(&event.sample));
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };

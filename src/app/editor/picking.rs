@@ -22,7 +22,7 @@ impl Editor {
             }
             return None;
         }
-        let chosen = picked.and_then(|picked| self.wood_to_choose(picked.element));
+        let chosen = picked.and_then(|picked| self.part_to_choose(picked.element));
         if chosen.is_some() {
             self.drawing.end_merging();
             self.posing.last = chosen;

@@ -1,4 +1,4 @@
-//! Precise turning (001 §4.3, eq. 4.1): a ring around the base of the branch that is chosen. A drag along it turns the branch about
+//! Precise turning (001 §4.3, eq. 4.1): a ring around the base of the part that is chosen. A drag along it turns the part about
 //! the line of sight, by as much as the pointer goes round, or by an eighth of that while Alt is held.
 //!
 //! Eq. 4.1 takes an angle by the arc cosine of a rounded number, which is none at 0 and 180 degrees, and has no sign; here it is
@@ -8,8 +8,9 @@ use super::Editor;
 use super::beside::to_points;
 use super::pose_tool::RingHold;
 use super::posing::turned;
+use crate::app::pose_drag::PoseDrag;
 use crate::app::theme::Palette;
-use crate::sketch::wood_poses::pose_of;
+use crate::sketch::part_poses::pose_of;
 use egui::{Align2, FontId, Painter, Stroke, vec2};
 use glam::{DVec2, Quat};
 
@@ -19,14 +20,14 @@ const RADIUS: f64 = 64.0;
 const GRIP: f64 = 14.0;
 /// Share of the radius around the middle in which nothing turns.
 const DEAD: f64 = 0.15;
-/// Share of the pointer's own turn by which the branch turns while Alt is held.
+/// Share of the pointer's own turn by which the part turns while Alt is held.
 const FINE: f64 = 0.125;
 
 impl Editor {
-    /// Where the middle of the ring is seen, physical pixels of the window; none without a branch that is chosen.
+    /// Where the middle of the ring is seen, physical pixels of the window; none without a part that is chosen.
     fn ring_centre(&self) -> Option<DVec2> {
-        let wood = self.posing.last.filter(|_| self.posing.is_on)?;
-        self.plant.seen_at(*self.posed_branch(wood)?.0.points.first()?)
+        let name = self.posing.last.filter(|_| self.posing.is_on)?;
+        self.plant.seen_at(self.posable(name)?.base)
     }
 
     /// Takes hold of the ring at a place in the window, physical pixels; whether it is there.
@@ -44,13 +45,13 @@ impl Editor {
         if (centre.distance(at) / scale - RADIUS).abs() > GRIP {
             return None;
         }
-        let wood = self.posing.last?;
-        let (before, foot) = (pose_of(&self.sketch().wood_poses, wood), self.posed_branch(wood)?.1);
+        let name = self.posing.last?;
+        let (before, frame) = (pose_of(&self.sketch().part_poses, name), self.posable(name)?.frame);
         let sight = self.plant.ray(self.plant.place(centre))?.direction;
-        Some(RingHold { before, foot, sight, centre, last: at, angle: 0.0 })
+        Some(RingHold { before, frame, sight, centre, last: at, angle: 0.0 })
     }
 
-    /// Turns the branch whose ring is held with the pointer.
+    /// Turns the part whose ring is held with the pointer.
     pub(super) fn drag_ring(&mut self, to: DVec2) {
         let dead = DEAD * RADIUS * self.plant.pixels_per_point();
         let gear = if self.posing.is_fine { FINE } else { 1.0 };
@@ -59,8 +60,9 @@ impl Editor {
         ring.last = to;
         // Down is positive in the window, so the angle runs clockwise, as turns about the line of sight do.
         let turn = Quat::from_axis_angle(ring.sight, ring.angle as f32);
-        let (before, foot) = (ring.before, ring.foot);
-        self.pose(turned(&before, foot, turn, self.posing.bends));
+        let (before, frame) = (ring.before, ring.frame);
+        let bends = self.posing.drag == PoseDrag::Bend && self.chosen_branch().is_some();
+        self.pose(turned(&before, &frame, turn, bends));
     }
 
     /// Paints the ring, and while it is held by how many degrees it has turned.

@@ -3,7 +3,7 @@
 use super::*;
 use crate::app::editor::test_window::{build, frame, touch, with_sketch};
 use crate::pen::{PenPhase, PenTool};
-use crate::plant::Branch;
+use crate::plant::{Branch, Organ, OrganKind, Origin, Shape};
 use crate::sketch::json;
 
 /// The stem that ends in a flower and stands on the ground.
@@ -40,7 +40,7 @@ fn any_pointer_turns_a_stem_with_all_that_is_on_it_as_one_step() {
         frame(&mut editor, &egui);
         let (built, stem) = (editor.built().unwrap().clone(), stem(&editor));
         assert_eq!(stem.points[0], before.plant.branches[0].points[0], "{tool:?}: its base stays");
-        let now = built.wood.posed.motion_at(0, stem.points[stem.points.len() / 2]).unwrap().point(grip);
+        let now = built.wood.posed.motion_at(&stem, stem.points[stem.points.len() / 2]).unwrap().point(grip);
         let seen = camera.project(now).map(|at| editor.plant.window_place(at)).unwrap();
         // As far as its length allows.
         assert!(seen.distance(from + DVec2::new(60.0, 10.0)) < 12.0, "{tool:?}: {seen} and {from}");
@@ -50,7 +50,7 @@ fn any_pointer_turns_a_stem_with_all_that_is_on_it_as_one_step() {
         let again = json::write(editor.sketch());
         assert_eq!(&crate::sketch::from_bytes(again.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
         editor.perform(Action::Undo);
-        assert!(editor.sketch().wood_poses.is_empty(), "{tool:?}: one step");
+        assert!(editor.sketch().part_poses.is_empty(), "{tool:?}: one step");
         build(&mut editor);
         assert_eq!(editor.built().unwrap().model, before.model, "{tool:?}: as before, to the last bit");
     }
@@ -61,8 +61,8 @@ fn a_stem_is_bent_and_given_back() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _) = with_sketch(&home, "balloon_flower");
     let before = stem(&editor);
-    editor.perform(Action::PoseWood(true));
-    editor.perform(Action::BendWood(true));
+    editor.perform(Action::PoseParts(true));
+    editor.perform(Action::PoseBy(PoseDrag::Bend));
     let camera = editor.plant.camera();
     let (from, grip) = drag_stem(&mut editor, PenTool::Pen, DVec2::new(40.0, 0.0));
     build(&mut editor);
@@ -83,14 +83,14 @@ fn a_stem_is_bent_and_given_back() {
     assert!(ends(&bent).angle_between(ends(&before)) > 0.2, "and turns at its end");
     assert!(editor.pose_state().posed);
     editor.perform(Action::ResetPose);
-    assert!(editor.sketch().wood_poses.is_empty());
+    assert!(editor.sketch().part_poses.is_empty());
 }
 
 #[test]
 fn branches_drawn_on_posed_wood_go_along_with_it() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, egui) = with_sketch(&home, "balloon_flower");
-    editor.perform(Action::PoseWood(true));
+    editor.perform(Action::PoseParts(true));
     drag_stem(&mut editor, PenTool::Pen, DVec2::new(60.0, 10.0));
     build(&mut editor);
     frame(&mut editor, &egui);
@@ -112,7 +112,7 @@ fn branches_drawn_on_posed_wood_go_along_with_it() {
     // Without the pose it stands where the stem is then.
     let posed = end(&branch(&editor));
     editor.perform(Action::ResetPose);
-    editor.change(Change::wood_poses([].into()));
+    editor.change(Change::part_poses([].into()));
     build(&mut editor);
     let (rest, straight) = (branch(&editor), stem(&editor));
     assert!(end(&rest).distance(posed) > 0.01);
@@ -126,7 +126,8 @@ fn seen_grown(editor: &Editor) -> Vec<(usize, DVec2)> {
     let seen = |(index, branch): (usize, &Branch)| {
         let at = editor.plant.seen_at(branch.points[branch.points.len() * 2 / 3])?;
         let hit = pick(&built.model, &built.plant, &editor.plant.ray(editor.plant.place(at))?)?;
-        (editor.grown_under(hit.element) == Some(index)).then_some((index, at))
+        (hit.element == Element::Branch(index) && matches!(branch.origin, Origin::Grown(_)))
+            .then_some((index, at))
     };
     built.plant.branches.iter().enumerate().filter_map(seen).collect()
 }
@@ -144,50 +145,51 @@ fn grown_branches_are_chosen_turned_thickened_and_cut_off() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, egui) = with_sketch(&home, "freehand_tree");
     let before = editor.built().unwrap().clone();
-    editor.perform(Action::PoseWood(true));
+    editor.perform(Action::PoseParts(true));
     frame(&mut editor, &egui);
     let deep = |(index, _): &(usize, DVec2)| before.plant.branches[*index].level;
     let (index, at) = seen_grown(&editor).into_iter().max_by_key(deep).unwrap();
-    let name = editor.name_of(index).unwrap();
+    let parts = editor.parts_under(Element::Branch(index));
+    let name = parts[0];
     // A tap chooses it, another one what it grows on.
     tap(&mut editor, &egui, at);
     assert_eq!(editor.posing.last, Some(name));
     tap(&mut editor, &egui, at);
     let parent = before.plant.branches[index].parent.unwrap();
-    assert_eq!(editor.posing.last, editor.name_of(parent));
+    assert_eq!(editor.posing.last, Some(parts[1]));
     let branch = |editor: &Editor, index: usize| editor.built().unwrap().plant.branches[index].clone();
     // A drag on the twig moves the bough that is chosen.
-    if let Some(WoodName::Grown(_)) = editor.posing.last {
+    if let Some(PartName::Grown(_)) = editor.posing.last {
         drag(&mut editor, PenTool::Pen, at, at + DVec2::new(30.0, 10.0));
         build(&mut editor);
         let (rest, now) = (&before.plant.branches[parent], branch(&editor, parent));
         assert_eq!(rest.points[0], now.points[0], "its base stays");
         assert_ne!(rest.points, now.points);
         editor.perform(Action::Undo);
-        assert!(editor.sketch().wood_poses.is_empty(), "one step");
+        assert!(editor.sketch().part_poses.is_empty(), "one step");
         build(&mut editor);
         assert_eq!(editor.built().unwrap().model, before.model);
     }
     editor.posing.let_go();
     drag(&mut editor, PenTool::Finger(1), at, at + DVec2::new(-24.0, 6.0));
-    assert_eq!(editor.sketch().wood_poses[0].wood, name, "without a choice the twig itself");
-    let turn = editor.sketch().wood_poses[0].turn;
-    [0.8, 0.6].into_iter().for_each(|thickness| editor.perform(Action::ThickenWood(thickness)));
+    assert_eq!(editor.sketch().part_poses[0].part, name, "without a choice the twig itself");
+    let turn = editor.sketch().part_poses[0].turn;
+    [0.8, 0.6].into_iter().for_each(|thickness| editor.perform(Action::SizePart(thickness)));
     editor.perform(Action::Undo);
-    let pose = editor.sketch().wood_poses[0];
+    let pose = editor.sketch().part_poses[0];
     assert_eq!((pose.turn, pose.thickness), (turn, 1.0), "a drag and a slider are a step each");
-    editor.perform(Action::ThickenWood(0.5));
+    editor.perform(Action::SizePart(0.5));
     build(&mut editor);
     frame(&mut editor, &egui);
     assert!(branch(&editor, index).radii[1] < 0.6 * before.plant.branches[index].radii[1]);
-    assert_eq!(editor.pose_state().thickness, Some(0.5));
+    assert_eq!(editor.pose_state().size, Some(0.5));
     let again = json::write(editor.sketch());
     assert_eq!(&crate::sketch::from_bytes(again.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
     editor.key(egui::Key::Delete, egui::Modifiers::NONE, true, false);
     build(&mut editor);
     let left = editor.built().unwrap().plant.branches.len();
     assert!(left < before.plant.branches.len(), "it is cut off");
-    assert!(!editor.can_cut_wood());
+    assert!(!editor.can_take_part_away());
     editor.perform(Action::ResetPose);
     build(&mut editor);
     assert_eq!(editor.built().unwrap().model, before.model, "as it grew");
@@ -198,7 +200,7 @@ fn a_drawn_branch_is_cut_off_with_its_stroke() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _) = with_sketch(&home, "balloon_flower");
     let strokes = editor.sketch().strokes.len();
-    editor.perform(Action::PoseWood(true));
+    editor.perform(Action::PoseParts(true));
     drag_stem(&mut editor, PenTool::Pen, DVec2::new(40.0, 0.0));
     editor.key(egui::Key::Delete, egui::Modifiers::NONE, true, false);
     assert_eq!(editor.sketch().strokes.len(), strokes - 1);
@@ -210,7 +212,7 @@ fn a_drawn_branch_is_cut_off_with_its_stroke() {
 fn the_ring_turns_the_chosen_branch_about_the_line_of_sight() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, egui) = with_sketch(&home, "balloon_flower");
-    editor.perform(Action::PoseWood(true));
+    editor.perform(Action::PoseParts(true));
     drag_stem(&mut editor, PenTool::Pen, DVec2::new(20.0, 0.0));
     build(&mut editor);
     frame(&mut editor, &egui);
@@ -233,4 +235,109 @@ fn the_ring_turns_the_chosen_branch_about_the_line_of_sight() {
     editor.perform(Action::Undo);
     build(&mut editor);
     assert_eq!(stem(&editor).points, before.points, "one step");
+}
+
+/// The first organ of a kind that is seen, and where.
+fn seen_organ(editor: &Editor, is_it: impl Fn(&Organ) -> bool) -> (usize, DVec2) {
+    let built = editor.built().unwrap();
+    let seen = |(index, organ): (usize, &Organ)| {
+        let Shape::Blade(blade) = &organ.shape else { return None };
+        let blade = built.plant.templates.resolve(blade);
+        let place = blade.base + blade.v * (0.6 * blade.template.length());
+        let at = editor.plant.seen_at(place)?;
+        let hit = pick(&built.model, &built.plant, &editor.plant.ray(editor.plant.place(at))?)?;
+        (hit.element == Element::Organ(index)).then_some((index, at))
+    };
+    let organs = built.plant.organs.iter().enumerate().filter(|(_, organ)| is_it(organ));
+    organs.filter_map(seen).next().expect("one is seen")
+}
+
+fn blade(editor: &Editor, index: usize) -> (Vec3, Vec3) {
+    let Shape::Blade(blade) = &editor.built().unwrap().plant.organs[index].shape else { panic!("no blade") };
+    (blade.base, blade.v)
+}
+
+#[test]
+fn a_drawn_leaf_is_turned_slid_along_its_stem_made_larger_and_taken_away() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "balloon_flower");
+    let before = editor.built().unwrap().clone();
+    editor.perform(Action::PoseParts(true));
+    frame(&mut editor, &egui);
+    let is_leaf = |organ: &Organ| organ.kind() == OrganKind::Leaf && organ.origin.is_drawn();
+    let (leaf, at) = seen_organ(&editor, is_leaf);
+    let (base, v) = blade(&editor, leaf);
+    drag(&mut editor, PenTool::Pen, at, at + DVec2::new(0.0, -40.0));
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    let (turned_base, turned_v) = blade(&editor, leaf);
+    assert!(turned_v.angle_between(v) > 0.1 && (turned_v.length() / v.length() - 1.0).abs() < 1e-4);
+    assert!(editor.pose_state().is_organ && editor.pose_state().posed);
+    assert_eq!(editor.sketch().part_poses.len(), 1);
+    // Along its stem.
+    editor.perform(Action::PoseBy(PoseDrag::Move));
+    let (_, at) = seen_organ(&editor, is_leaf);
+    drag(&mut editor, PenTool::Finger(1), at, at + DVec2::new(3.0, -30.0));
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    let (slid, _) = blade(&editor, leaf);
+    let stem = &editor.built().unwrap().plant.branches[0];
+    let from_stem = |at: Vec3| stem.axis_at(at).0.distance(at);
+    assert!(slid.y > turned_base.y + 1e-3, "{slid} and {turned_base}");
+    assert!(from_stem(slid) < from_stem(turned_base) + 1e-3);
+    editor.perform(Action::SizePart(1.5));
+    build(&mut editor);
+    assert!((blade(&editor, leaf).1.length() / v.length() - 1.5).abs() < 1e-3);
+    let again = json::write(editor.sketch());
+    assert_eq!(&crate::sketch::from_bytes(again.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
+    editor.perform(Action::ResetPose);
+    build(&mut editor);
+    assert_eq!((blade(&editor, leaf), &editor.built().unwrap().model), ((base, v), &before.model));
+    let strokes = editor.sketch().strokes.len();
+    editor.key(egui::Key::Delete, egui::Modifiers::NONE, true, false);
+    assert_eq!(editor.sketch().strokes.len(), strokes - 1);
+}
+
+#[test]
+fn a_drawn_flower_turns_as_a_whole_and_another_tap_chooses_a_petal_of_it() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "balloon_flower");
+    let before = editor.built().unwrap().clone();
+    editor.perform(Action::PoseParts(true));
+    frame(&mut editor, &egui);
+    let (petal, at) =
+        seen_organ(&editor, |organ| organ.kind() == OrganKind::Petal && organ.origin.is_drawn());
+    tap(&mut editor, &egui, at);
+    let flower = editor.posing.last.unwrap();
+    tap(&mut editor, &egui, at);
+    let chosen = editor.posing.last.unwrap();
+    assert_eq!(editor.strokes_of(chosen).len(), 1);
+    assert!(editor.strokes_of(flower).len() > 1);
+    editor.posing.let_go();
+    drag(&mut editor, PenTool::Mouse, at, at + DVec2::new(30.0, 20.0));
+    assert_eq!(editor.sketch().part_poses[0].part, flower, "the flower, not its petal");
+    build(&mut editor);
+    let built = editor.built().unwrap().clone();
+    let index = before.plant.organs[petal].flower.unwrap();
+    let axis = |built: &crate::pipeline::Built| built.plant.flowers[index].cone.axis;
+    assert!(axis(&built).angle_between(axis(&before)) > 0.05);
+    let petals = |built: &crate::pipeline::Built| -> Vec<Vec3> {
+        let of_flower = built.plant.organs.iter().filter(|organ| organ.flower == Some(index));
+        of_flower.map(|organ| organ.base() - built.plant.flowers[index].cone.apex).collect()
+    };
+    let turn = built.wood.posed.clone();
+    assert_ne!(turn, before.wood.posed);
+    for (now, then) in petals(&built).iter().zip(petals(&before)) {
+        assert!((now.length() - then.length()).abs() < 1e-5, "all of it keeps its shape");
+    }
+    let strokes = editor.sketch().strokes.len();
+    editor.perform(Action::TakeAwayPart);
+    assert_eq!(editor.sketch().strokes.len(), strokes - editor_strokes(&before, index));
+}
+
+/// How many strokes drew a flower.
+fn editor_strokes(built: &crate::pipeline::Built, flower: usize) -> usize {
+    let petals = built.plant.organs.iter().filter(|organ| organ.flower == Some(flower));
+    let strokes = petals.filter_map(|petal| built.provenance.stroke(petal.origin));
+    strokes.collect::<std::collections::HashSet<_>>().len()
 }

@@ -16,8 +16,8 @@ use crate::app::panels::snapshot::SpaceState;
 use crate::app::work_surface::WorkSurface;
 use crate::pen::{PenPhase, PenSample, PenTool};
 use crate::plant::{Branch, WorldFromCanvas};
-use crate::sketch::wood_poses::pose_of;
-use crate::sketch::{Change, Stroke, StrokeId, StrokePoint, Tool, WoodName};
+use crate::sketch::part_poses::pose_of;
+use crate::sketch::{Change, PartName, Stroke, StrokeId, StrokePoint, Tool};
 use glam::Vec3;
 
 impl Editor {
@@ -82,10 +82,11 @@ impl Editor {
     fn lift_begun(&self, sample: &PenSample) -> Option<SpaceStroke> {
         let (stroke, built) = (self.last_in_space()?, self.built()?);
         let mut drawn = self.drawn_wood();
-        let (_, branch) = drawn.find(|(_, b)| built.provenance.stroke(b.origin) == Some(stroke.id))?;
+        let branch = drawn.find(|b| built.provenance.stroke(b.origin) == Some(stroke.id))?;
         self.place_on(branch, sample.position)?;
-        let parent = branch.parent.zip(branch.points.first());
-        let motion = parent.and_then(|(parent, base)| built.wood.posed.motion_at(parent, *base));
+        let parent = branch.parent.and_then(|parent| built.wood.at(&built.plant, parent));
+        let motion = parent.zip(branch.points.first());
+        let motion = motion.and_then(|(parent, base)| built.wood.posed.motion_at(parent, *base));
         let frame = StrokeFrame { world: self.world()?, motion };
         let line: Vec<Vec3> = branch.points.clone();
         let start = *line.first()?;
@@ -104,7 +105,7 @@ impl Editor {
     /// The branch in space that is the newest stroke of its kind, if it stands as it was drawn.
     fn last_in_space(&self) -> Option<&Stroke> {
         let last = self.sketch().in_space().max_by_key(|stroke| stroke.id)?;
-        pose_of(&self.sketch().wood_poses, WoodName::Stroke(last.id)).is_still().then_some(&**last)
+        pose_of(&self.sketch().part_poses, PartName::Stroke(last.id)).is_still().then_some(&**last)
     }
 
     /// Follows what the pen drew or painted in the view of the plant since this was asked last.
@@ -195,8 +196,8 @@ impl Editor {
     }
 
     /// The wood that branches in space can begin on, each branch with its place.
-    pub(super) fn drawn_wood(&self) -> impl Iterator<Item = (usize, &Branch)> {
-        self.built().into_iter().flat_map(|built| built.wood.branches(&built.plant))
+    pub(super) fn drawn_wood(&self) -> impl Iterator<Item = &Branch> {
+        self.built().into_iter().flat_map(|built| built.wood.branches(&built.plant).map(|(_, branch)| branch))
     }
 }
 

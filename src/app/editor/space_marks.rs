@@ -17,16 +17,12 @@ const FROM_ABOVE: f32 = 0.35;
 /// How far from the plant a trunk may stand, in heights of it.
 const AROUND: f32 = 1.5;
 
-/// Most lines that show what goes along with a branch.
-const MOST_LINES: usize = 500;
-
 impl Editor {
-    /// The drawn branch under a place in the window, physical pixels, by its place, and the place on its axis; of several
-    /// the one in front.
-    pub(super) fn wood_at(&self, at: DVec2) -> Option<(usize, Vec3)> {
+    /// The drawn branch under a place in the window, physical pixels, and the place on its axis; of several the one in
+    /// front.
+    pub(super) fn wood_at(&self, at: DVec2) -> Option<(&Branch, Vec3)> {
         let forward = self.plant.forward()?;
-        let places =
-            self.drawn_wood().filter_map(|(index, branch)| Some((index, self.place_on(branch, at)?)));
+        let places = self.drawn_wood().filter_map(|branch| Some((branch, self.place_on(branch, at)?)));
         places.min_by(|a, b| a.1.dot(forward).total_cmp(&b.1.dot(forward)))
     }
 
@@ -104,28 +100,6 @@ impl Editor {
         self.space.hovered = begin.and_then(|begin| self.plant.seen_at(begin));
     }
 
-    /// Paints the line of the branch that is chosen to be posed, thinner ones of what goes along with it, and where it turns.
-    fn paint_chosen_wood(&self, painter: &Painter, palette: &Palette) {
-        let Some((built, chosen)) = self.built().zip(self.chosen_index()) else { return };
-        let (scale, branches) = (self.plant.pixels_per_point(), &built.plant.branches);
-        let mut goes_along = vec![false; branches.len()];
-        goes_along[chosen] = true;
-        let mut painted = 0;
-        for (index, branch) in branches.iter().enumerate().skip(chosen) {
-            goes_along[index] |= branch.parent.is_some_and(|parent| goes_along[parent]);
-            if !goes_along[index] || painted == MOST_LINES {
-                continue;
-            }
-            painted += 1;
-            let seen = branch.points.iter().filter_map(|point| self.plant.seen_at(*point));
-            let width = if index == chosen { 3.0 } else { 1.0 };
-            painter.line(seen.map(|at| to_points(at, scale)).collect(), (width, palette.accent));
-        }
-        if let Some(base) = branches[chosen].points.first().and_then(|base| self.plant.seen_at(*base)) {
-            painter.circle(to_points(base, scale), 5.0, palette.accent, (1.5, palette.panel));
-        }
-    }
-
     /// Paints where a branch would begin, the line under the pen, and brushes.
     pub(super) fn paint_in_space(&self, painter: &Painter, palette: &Palette) {
         let scale = self.plant.pixels_per_point();
@@ -133,7 +107,7 @@ impl Editor {
             painter.circle(to_points(at, scale), 5.0, palette.accent, (1.5, palette.panel));
         }
         self.paint_brush(painter, palette);
-        self.paint_chosen_wood(painter, palette);
+        self.paint_chosen_part(painter, palette);
         self.paint_ring(painter, palette);
         let Some(stroke) = &self.space.stroke else { return };
         let seen = stroke.points.iter().filter_map(|point| self.plant.seen_at(stroke.frame.place(point)));

@@ -53,7 +53,8 @@ mod tests {
     #[test]
     fn there_and_back() {
         let world = WorldFromCanvas { scale: 0.001, origin: Vec2::new(300.0, 800.0) };
-        let motion = Motion { turn: Quat::from_rotation_x(0.8), from: Vec3::Y, to: Vec3::new(0.1, 0.9, 0.2) };
+        let (from, to) = (Vec3::Y, Vec3::new(0.1, 0.9, 0.2));
+        let motion = Motion { turn: Quat::from_rotation_x(0.8), from, to, size: 1.0 };
         for motion in [None, Some(motion)] {
             let (frame, at) = (StrokeFrame { world, motion }, Vec3::new(0.2, 0.5, -0.3));
             let sample = frame.sample(at, 0.4, 7.0);

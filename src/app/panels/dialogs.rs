@@ -232,7 +232,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("G", Msg::BesideAddTitle),
         ("K", Msg::PetalsShape),
         ("W", Msg::SpaceDraw),
-        ("J", Msg::PoseWood),
+        ("J", Msg::PoseParts),
         ("U", Msg::BrushGrow),
         ("X", Msg::BrushPrune),
         ("I", Msg::BrushLight),

@@ -59,6 +59,10 @@ icons! {
     LiftedSurface: ["M3 20 C8 15.5 14 22 21 17.5", "M3 20 L3 9 C8 4.5 14 11 21 6.5 L21 17.5", "M5.5 15.5 C10 12.5 13.5 14.5 18.5 9.5"];
     /// A branch that is turned about its foot.
     TurnBranch: ["M5 21 L5 4", "M5 21 L18 9", "M8.5 6 C13 5.5 16.5 7 18.5 8.5", "M15.2 4.6 L18.7 8.7 L13.6 9.6"];
+    /// A part of the plant taken by the hand: a leaf on a stem, and a pointer.
+    PoseParts: ["M6 22 L6 3", "M6 15 C9 15 10 10 14.5 9 C13 13.5 10 15.5 6 15", "M13.5 13.5 L21 16.5 L17.7 17.7 L16.5 21 Z"];
+    /// A leaf that slides along its stem.
+    SlideLeaf: ["M6 22 L6 3", "M6 17 C9 17 10 12 14.5 11 C13 15.5 10 17.5 6 17", "M19 20 L19 5", "M16.6 7.6 L19 5 L21.4 7.6", "M16.6 17.4 L19 20 L21.4 17.4"];
     /// A branch that is bent.
     BendBranch: ["M5 21 L5 4", "M5 21 C5 13 9 8 18.5 7", "M8 3.5 C11 2.8 14 3.6 16.5 6", "M12.8 6.8 L17 6.4 L16.4 2.4"];
     /// Twigs inside an outline.

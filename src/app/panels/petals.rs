@@ -11,15 +11,16 @@ use egui::Ui;
 use glam::Vec3;
 
 /// The tool, and while it is in hand what it does.
-pub(super) fn buttons(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<Action>) {
+pub(super) fn button(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<Action>) {
     let name = messages.get(Msg::PetalsShape);
     let hint = format!("{name} (K)\n{}", messages.get(Msg::PetalsShapeHint));
     if IconButton::new(Icon::Petals, name).hint(hint).chosen(state.on).show(ui).clicked() {
         out.push(Action::ShapePetals(!state.on));
     }
-    if !state.on {
-        return;
-    }
+}
+
+/// How it shapes them.
+pub(super) fn options(ui: &mut Ui, state: &PetalState, messages: &Messages, out: &mut Vec<Action>) {
     let mirror = IconButton::new(Icon::MirrorLeftRight, messages.get(Msg::PetalsMirror));
     if mirror.chosen(state.mirrored).show(ui).clicked() {
         out.push(Action::MirrorPetals(!state.mirrored));

@@ -1,4 +1,5 @@
-//! The tools of the view of the plant: a small card in its lower corner, away from flowers.
+//! The tools of the view of the plant: a small card in its lower corner, away from flowers. Under the tools stand the choices of
+//! the one that is in hand.
 
 use super::snapshot::Snapshot;
 use super::widgets::{card, note};
@@ -21,8 +22,9 @@ pub(super) fn show(
     let (of_petals, of_branches, of_poses) = (snapshot.petals, snapshot.space, snapshot.pose);
     let has_petals = of_petals.any || of_petals.on;
     let of_brushes = snapshot.brush;
-    let has_wood = of_branches.any || of_branches.on || of_poses.on || of_brushes.tool.is_some();
-    if !(has_petals || has_wood) || plant.width() < 80.0 {
+    let has_wood = of_branches.any || of_branches.on || of_brushes.tool.is_some();
+    let has_parts = of_poses.any || of_poses.on;
+    if !(has_petals || has_wood || has_parts) || plant.width() < 80.0 {
         return;
     }
     let corner = plant.left_bottom() + vec2(12.0, -12.0);
@@ -34,14 +36,25 @@ pub(super) fn show(
         card(ui).inner_margin(Margin::same(4)).show(ui, |ui| {
             ui.horizontal(|ui| {
                 if has_wood {
-                    space::buttons(ui, &of_branches, messages, out);
-                    pose::buttons(ui, &of_poses, messages, out);
+                    space::button(ui, &of_branches, messages, out);
+                }
+                if has_parts {
+                    pose::button(ui, &of_poses, messages, out);
+                }
+                if has_wood {
                     brush::buttons(ui, &of_brushes, messages, out);
                 }
                 if has_petals {
-                    petals::buttons(ui, &of_petals, messages, out);
+                    petals::button(ui, &of_petals, messages, out);
                 }
             });
+            if of_branches.on || of_poses.on || of_petals.on {
+                ui.horizontal(|ui| match (of_branches.on, of_poses.on) {
+                    (true, _) => space::options(ui, &of_branches, messages, out),
+                    (_, true) => pose::options(ui, &of_poses, messages, out),
+                    _ => petals::options(ui, &of_petals, messages, out),
+                });
+            }
             let said = of_petals.on.then(|| petals::said(&of_petals));
             let said = said.or_else(|| of_branches.on.then(|| space::said(&of_branches)));
             let said = said.or_else(|| of_brushes.tool.map(brush::said));

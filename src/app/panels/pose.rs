@@ -1,4 +1,4 @@
-//! The tool that turns and bends branches, as the card over the plant shows it.
+//! The tool that turns, bends and moves parts of the plant, as the card over the plant shows it.
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale};
@@ -6,24 +6,34 @@ use super::snapshot::PoseState;
 use super::widgets::IconButton;
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
-use crate::sketch::wood_poses::THICKNESSES;
+use crate::app::pose_drag::PoseDrag;
+use crate::sketch::part_poses::THICKNESSES;
 use egui::Ui;
 
-/// The tool, and while it is in hand what it does.
-pub(super) fn buttons(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
-    let name = messages.get(Msg::PoseWood);
-    let hint = format!("{name} (J)\n{}", messages.get(Msg::PoseWoodHint));
-    if IconButton::new(Icon::TurnBranch, name).hint(hint).chosen(state.on).show(ui).clicked() {
-        out.push(Action::PoseWood(!state.on));
+/// What a drag may do: its picture, name and help.
+const DRAGS: [(PoseDrag, Icon, Msg, Msg); 3] = [
+    (PoseDrag::Turn, Icon::TurnBranch, Msg::PoseTurn, Msg::PoseTurnHint),
+    (PoseDrag::Bend, Icon::BendBranch, Msg::PoseBend, Msg::PoseBendHint),
+    (PoseDrag::Move, Icon::SlideLeaf, Msg::PoseMove, Msg::PoseMoveHint),
+];
+
+/// The tool.
+pub(super) fn button(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
+    let name = messages.get(Msg::PoseParts);
+    let hint = format!("{name} (J)\n{}", messages.get(Msg::PosePartsHint));
+    if IconButton::new(Icon::PoseParts, name).hint(hint).chosen(state.on).show(ui).clicked() {
+        out.push(Action::PoseParts(!state.on));
     }
-    if !state.on {
-        return;
-    }
-    let name = messages.get(Msg::PoseBend);
-    let bend =
-        IconButton::new(Icon::BendBranch, name).hint(format!("{name}\n{}", messages.get(Msg::PoseBendHint)));
-    if bend.chosen(state.bends).show(ui).clicked() {
-        out.push(Action::BendWood(!state.bends));
+}
+
+/// What a drag with it does, and what else can be done with the part that was held last.
+pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
+    for (drag, icon, name, hint) in DRAGS {
+        let (name, hint) = (messages.get(name), messages.get(hint));
+        let button = IconButton::new(icon, name).hint(format!("{name}\n{hint}"));
+        if button.chosen(state.drag == drag).show(ui).clicked() {
+            out.push(Action::PoseBy(drag));
+        }
     }
     let reset = IconButton::new(Icon::Reset, messages.get(Msg::PoseReset)).enabled(state.posed);
     if reset.show(ui).clicked() {
@@ -32,31 +42,35 @@ pub(super) fn buttons(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
     let name = messages.get(Msg::PoseCut);
     let cut =
         IconButton::new(Icon::Cut, name).hint(format!("{name} (Del)\n{}", messages.get(Msg::PoseCutHint)));
-    if cut.enabled(state.thickness.is_some()).show(ui).clicked() {
-        out.push(Action::CutWood);
+    if cut.enabled(state.size.is_some()).show(ui).clicked() {
+        out.push(Action::TakeAwayPart);
     }
 }
 
-/// How thick the branch that was held last is.
+/// How thick or large the part that was held last is.
 pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
-    let Some(thickness) = state.thickness.filter(|_| state.on) else { return };
-    let text = format!("{:.0} %", thickness * 100.0);
+    let Some(size) = state.size.filter(|_| state.on) else { return };
+    let text = format!("{:.0} %", size * 100.0);
     let (min, max) = THICKNESSES.into_inner();
     let rail = Rail {
-        label: messages.get(Msg::PoseThickness),
+        label: messages.get(if state.is_organ { Msg::PoseSize } else { Msg::PoseThickness }),
         text: &text,
         scale: Scale { min: min.into(), max: max.into(), whole: false },
-        value: thickness.into(),
-        reset: (thickness != 1.0).then(|| messages.get(Msg::PoseReset)),
+        value: size.into(),
+        reset: (size != 1.0).then(|| messages.get(Msg::PoseReset)),
     };
     let room = ui.available_width();
     out.extend(rail.show(ui, room).1.map(|change| match change {
-        RailChange::To(value) => Action::ThickenWood(value as f32),
-        RailChange::Reset => Action::ThickenWood(1.0),
+        RailChange::To(value) => Action::SizePart(value as f32),
+        RailChange::Reset => Action::SizePart(1.0),
     }));
 }
 
 /// What a drag does now.
 pub(super) fn said(state: &PoseState) -> Msg {
-    if state.bends { Msg::PoseDragBend } else { Msg::PoseDrag }
+    match state.drag {
+        PoseDrag::Turn => Msg::PoseDrag,
+        PoseDrag::Bend => Msg::PoseDragBend,
+        PoseDrag::Move => Msg::PoseDragMove,
+    }
 }

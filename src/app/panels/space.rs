@@ -16,15 +16,16 @@ const SURFACES: [(WorkSurface, Icon, Msg, Msg); 3] = [
 ];
 
 /// The tool, and while it is in hand its surfaces.
-pub(super) fn buttons(ui: &mut Ui, state: &SpaceState, messages: &Messages, out: &mut Vec<Action>) {
+pub(super) fn button(ui: &mut Ui, state: &SpaceState, messages: &Messages, out: &mut Vec<Action>) {
     let name = messages.get(Msg::SpaceDraw);
     let hint = format!("{name} (W)\n{}", messages.get(Msg::SpaceDrawHint));
     if IconButton::new(Icon::SpaceBranch, name).hint(hint).chosen(state.on).show(ui).clicked() {
         out.push(Action::DrawInSpace(!state.on));
     }
-    if !state.on {
-        return;
-    }
+}
+
+/// The surfaces that it draws on.
+pub(super) fn options(ui: &mut Ui, state: &SpaceState, messages: &Messages, out: &mut Vec<Action>) {
     for (surface, icon, name, hint) in SURFACES {
         let name = messages.get(name);
         let button = IconButton::new(icon, name).hint(format!("{name}\n{}", messages.get(hint)));

@@ -89,7 +89,7 @@ struct FlowerText<'a> {
 
 impl<'a> FlowerText<'a> {
     fn new(flower: &'a Flower) -> Self {
-        let Flower { branch, cone, centre_radius, reach, look } = flower;
+        let Flower { origin: _, branch, cone, centre_radius, reach, look } = flower;
         Self { branch: *branch, cone, centre_radius: *centre_radius, reach: *reach, look: *look }
     }
 }

@@ -74,7 +74,11 @@ fn one(wood: &Wood<'_>, Site { bud, chain, .. }: Site, k: usize, length: f32) ->
     let toward = direction + aside;
     let toward = if held == Vec3::ZERO { toward } else { toward.reject_from_normalized(held) * ALONG + held };
     let way = toward.normalize_or(direction);
+    let nth =
+        wood.tree.buds.node[..bud].iter().rev().take_while(|node| **node == wood.tree.buds.node[bud]).count();
+    let number = (nth * 1000 + k) as u32;
     FlowerBud {
+        origin: wood.origin(Choice::NAME_OF_BUD, (wood.tree.buds.node[bud] as usize, number)),
         branch: Some(chain as usize),
         base: at + (aside + held) * (ASIDE * length),
         u: way.any_orthonormal_vector() * length,

@@ -18,8 +18,8 @@ use crate::growth::simulation::Simulation;
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
 use crate::plant::{
-    Blade, BladeForm, Detail, Organ, OrganKind, OrganPart, Origin, RestSurface, Role, Shape, Template,
-    TemplateId, Templates,
+    Blade, BladeForm, Detail, GrownId, Organ, OrganKind, OrganPart, Origin, RestSurface, Role, Shape,
+    Template, TemplateId, Templates,
 };
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec3};
@@ -49,6 +49,8 @@ pub struct Wood<'a> {
     pub tree: &'a Tree,
     /// Its chains.
     pub chains: &'a Chains,
+    /// What the nodes are called, if leaves and buds are to have names.
+    pub names: Option<&'a [u64]>,
     /// Places of the nodes.
     pub at: &'a [Vec3],
     /// Diameters below the nodes.
@@ -67,6 +69,14 @@ pub struct Wood<'a> {
     pub seed: u64,
     /// What grew: leaves must not leave its volume, nor pass what stands beside it.
     pub simulation: &'a Simulation,
+}
+
+impl Wood<'_> {
+    /// What the leaf or bud `k` of a node is known by.
+    pub(super) fn origin(&self, of: Choice, (node, k): (usize, u32)) -> Origin {
+        let name = |names: &[u64]| Origin::Grown(GrownId(mix(of.key(names[node]), u64::from(k))));
+        self.names.map_or(Origin::Generated, name)
+    }
 }
 
 /// All leaves of a plant at an age, in the order of their nodes, with the templates of which they are copies, not all of
@@ -148,7 +158,7 @@ fn leaves_of<'a>(
         let shape = Shape::Blade(held(one(wood, (habit, &pose), templates, (i, k)), wood.simulation)?);
         let branch = Some(branch as usize);
         let role = Role::of(OrganPart::Leaf);
-        Some(Organ { role, origin: Origin::Generated, branch, flower: None, shape })
+        Some(Organ { role, origin: wood.origin(Choice::NAME_OF_LEAF, (i, k)), branch, flower: None, shape })
     })
 }
 

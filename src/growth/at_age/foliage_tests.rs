@@ -33,6 +33,7 @@ impl Grown {
 
     fn wood(&self) -> Wood<'_> {
         Wood {
+            names: None,
             tree: self.simulation.tree(),
             chains: &self.chains,
             at: &self.at,

@@ -48,6 +48,7 @@ pub(crate) fn add_new_growth(
     let of_wood = Wood {
         tree,
         chains: &chains,
+        names: Some(&names),
         at: &at,
         diameters: &diameters,
         grown: &grown,

@@ -30,11 +30,12 @@ pub struct PlantAtAge {
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
 pub fn plant_at(simulation: &Simulation, age: f32) -> PlantAtAge {
-    with_wood(simulation, age).0
+    with_wood(simulation, age, None).0
 }
 
-/// The same with the wood that became its branches, which are its chains, in their order.
-pub(crate) fn with_wood(simulation: &Simulation, age: f32) -> (PlantAtAge, WoodAtAge) {
+/// The same with the wood that became its branches, which are its chains, in their order; leaves and buds are known by the names of
+/// their nodes, where these have `names`.
+pub(crate) fn with_wood(simulation: &Simulation, age: f32, names: Option<&[u64]>) -> (PlantAtAge, WoodAtAge) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
     let shown = wood_at_age(simulation, age);
@@ -61,6 +62,7 @@ pub(crate) fn with_wood(simulation: &Simulation, age: f32) -> (PlantAtAge, WoodA
     let wood = Wood {
         tree,
         chains,
+        names,
         at,
         diameters,
         grown,

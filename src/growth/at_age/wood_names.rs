@@ -19,14 +19,13 @@ use glam::Vec3;
 use std::collections::{BTreeSet, HashMap};
 
 /// Names the branches that begin with a grown node, and says which of the `wanted` run on in the lines of others. They are those of
-/// the chains, in their order; `wood` are names of what the plant began with, `at` the places of the nodes.
+/// the chains, in their order; `names` are those of the nodes, `at` their places.
 pub(crate) fn name_branches(
     branches: &mut [Branch],
     (tree, chains, at): (&Tree, &Chains, &[Vec3]),
-    wood: &[u64],
+    names: &[u64],
     wanted: &BTreeSet<u64>,
 ) -> Vec<Continued> {
-    let names = names(tree, wood);
     for (index, branch) in branches.iter_mut().enumerate() {
         let first = chains.first(index as u32) as usize;
         if first >= tree.drawn.len() {
@@ -69,7 +68,7 @@ pub(crate) fn names_of_wood<'a>(
 }
 
 /// The names of all nodes, from those of the branches that the plant began with.
-pub(super) fn names(tree: &Tree, wood: &[u64]) -> Vec<u64> {
+pub(crate) fn names(tree: &Tree, wood: &[u64]) -> Vec<u64> {
     let nodes = &tree.nodes;
     let mut names: Vec<u64> = Vec::with_capacity(tree.len());
     // How many of the nodes of each drawn branch, and of the axes beside and above each node, have a name.

@@ -56,10 +56,11 @@ pub fn merged(
     grown: &Grown<'_>,
     posed: &BTreeSet<u64>,
 ) -> (PlantAtAge, Vec<Continued>) {
+    let tree = grown.simulation.tree();
+    let names = wood_names::names(tree, &wood_names::names_of_wood(grown.wood, provenance));
     let (PlantAtAge { mut plant, buds }, WoodAtAge { chains, at, .. }) =
-        to_plant::with_wood(grown.simulation, grown.age);
-    let names = wood_names::names_of_wood(grown.wood, provenance);
-    let of_tree = (grown.simulation.tree(), &chains, &*at);
+        to_plant::with_wood(grown.simulation, grown.age, Some(&names));
+    let of_tree = (tree, &chains, &*at);
     let continued = wood_names::name_branches(&mut plant.branches, of_tree, &names, posed);
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.

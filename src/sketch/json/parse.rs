@@ -3,20 +3,20 @@
 use super::corrections::CorrectionsSeed;
 use super::fault;
 use super::params::GroupSeed;
+use super::part_poses::PartPosesSeed;
 use super::petal_shapes::PetalShapesSeed;
 use super::picture::PicturesSeed;
 use super::plants::PlantsSeed;
 use super::point::PointsSeed;
 use super::progress::{Progress, set_once};
 use super::reference::ReferenceSeed;
-use super::wood_poses::WoodPosesSeed;
 use crate::quote;
 use crate::sketch::brush;
 use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{
-    Brush, Canvas, Corrections, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool, WoodPoses,
+    Brush, Canvas, Corrections, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool,
     limits,
 };
 use serde::Deserialize;
@@ -53,7 +53,8 @@ enum SketchField {
     Plants,
     Corrections,
     PetalShapes,
-    WoodPoses,
+    #[serde(rename = "wood_poses")]
+    PartPoses,
     Strokes,
 }
 
@@ -98,7 +99,7 @@ struct Fields {
     plants: Option<Vec<PlacedPlant>>,
     corrections: Option<Corrections>,
     petal_shapes: Option<PetalShapes>,
-    wood_poses: Option<WoodPoses>,
+    part_poses: Option<PartPoses>,
     strokes: Option<Vec<DraftStroke>>,
 }
 
@@ -149,8 +150,8 @@ impl Fields {
                     "petal_shapes",
                 )?;
             }
-            SketchField::WoodPoses => {
-                set_once(&mut self.wood_poses, map.next_value_seed(WoodPosesSeed(progress))?, "wood_poses")?;
+            SketchField::PartPoses => {
+                set_once(&mut self.part_poses, map.next_value_seed(PartPosesSeed(progress))?, "wood_poses")?;
             }
             SketchField::Pictures => {
                 set_once(&mut self.pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
@@ -168,7 +169,7 @@ impl Fields {
     /// The drawing that the fields are, once all have been read.
     fn draft<E: Error>(self, progress: &Progress) -> Result<Draft, E> {
         let Self { format, version, canvas, species, seed, params, textures, .. } = self;
-        let Self { reference, pictures, plants, corrections, petal_shapes, wood_poses, strokes, .. } = self;
+        let Self { reference, pictures, plants, corrections, petal_shapes, part_poses, strokes, .. } = self;
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
             return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
@@ -189,7 +190,7 @@ impl Fields {
             plants: plants.unwrap_or_default(),
             corrections: corrections.unwrap_or_default(),
             petal_shapes: petal_shapes.unwrap_or_default(),
-            wood_poses: wood_poses.unwrap_or_default(),
+            part_poses: part_poses.unwrap_or_default(),
             strokes,
         })
     }

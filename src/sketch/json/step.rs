@@ -8,10 +8,10 @@
 
 use super::corrections::{self, CorrectionList};
 use super::parse::StrokeSeed;
+use super::part_poses::{self, PartPoseList};
 use super::petal_shapes::{self, PetalShapeList};
 use super::plants::{self, Plants};
 use super::progress::Progress;
-use super::wood_poses::{self, WoodPoseList};
 use super::write::{push_placement, push_stroke};
 use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
@@ -59,7 +59,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         plants,
         corrections,
         petal_shapes,
-        wood_poses,
+        part_poses,
     } = &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
@@ -69,7 +69,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_list(&mut out, "plants", plants.as_deref(), plants::push);
     push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
     push_list(&mut out, "petal_shapes", petal_shapes.as_deref(), petal_shapes::push);
-    push_list(&mut out, "wood_poses", wood_poses.as_deref(), wood_poses::push);
+    push_list(&mut out, "wood_poses", part_poses.as_deref(), part_poses::push);
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -113,7 +113,8 @@ struct StepText {
     plants: Option<Plants>,
     corrections: Option<CorrectionList>,
     petal_shapes: Option<PetalShapeList>,
-    wood_poses: Option<WoodPoseList>,
+    #[serde(rename = "wood_poses")]
+    part_poses: Option<PartPoseList>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -199,9 +200,9 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, wood_poses, .. } = text;
+    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, part_poses, .. } = text;
     let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
-    let (petal_shapes, wood_poses) = (petal_shapes.map(|list| list.0), wood_poses.map(|list| list.0));
+    let (petal_shapes, part_poses) = (petal_shapes.map(|list| list.0), part_poses.map(|list| list.0));
     let settings = Settings {
         canvas,
         species,
@@ -212,7 +213,7 @@ pub(in crate::sketch) fn replay(
         plants,
         corrections,
         petal_shapes,
-        wood_poses,
+        part_poses,
     };
     settings.carry_out(sketch);
     Ok(())

@@ -1,14 +1,20 @@
-//! Branches that are being turned and bent, as the card over the plant shows them.
+//! Parts that are being turned, bent and moved, as the card over the plant shows them.
 
-/// How branches are being turned and bent.
+use crate::app::pose_drag::PoseDrag;
+
+/// How parts are being posed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PoseState {
+    /// Whether there is a part to be posed.
+    pub any: bool,
     /// Whether the tool is in hand.
     pub on: bool,
-    /// Whether it bends branches, not turns them.
-    pub bends: bool,
-    /// Whether the branch that was held last stands otherwise than it was drawn or grew.
+    /// What a drag does.
+    pub drag: PoseDrag,
+    /// Whether the part that was held last stands otherwise than it was drawn or grew.
     pub posed: bool,
-    /// How many times as thick it is; none where none was held or it is cut off.
-    pub thickness: Option<f32>,
+    /// How many times as thick or as large it is; none where none was held or it is taken away.
+    pub size: Option<f32>,
+    /// Whether it is a leaf, a flower or another organ, and no branch.
+    pub is_organ: bool,
 }

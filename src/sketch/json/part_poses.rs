@@ -1,41 +1,39 @@
-//! The `wood_poses` of a drawing: branches that the artist turned, bent, made thicker or cut off, one on each line.
+//! The `wood_poses` of a drawing: branches and organs that the artist turned, moved, made larger or took away, one on each line.
 //!
 //! ```json
 //! {"stroke": 4, "turn": [0, 0, 0.2588190, 0.9659258], "bend": [0, 0, 0, 1]}
-//! {"grown": "8c1f0a52e9d40b77", "thickness": 1.5}
+//! {"grown": "8c1f0a52e9d40b77", "thickness": 1.5, "shift": [0, 40, 0]}
 //! {"grown": "03bb2e6f91d8a4c0", "cut": true}
 //! ```
 //!
-//! Turns are quaternions x, y, z, w of length 1; one that is left out turns nothing. Branches that grew are named by 16
+//! Turns are quaternions x, y, z, w of length 1; one that is left out turns nothing. Parts that grew are named by 16
 //! hexadecimal digits, because not every reader of JSON knows whole numbers of 64 bits.
 
 use super::number::push_number;
 use super::progress::Progress;
 use crate::quote;
 use crate::sketch::error::Fault;
-use crate::sketch::wood_poses::{WoodName, WoodPose, WoodPoses, check, check_one};
+use crate::sketch::part_poses::{PartName, PartPose, PartPoses, check, check_one};
 use crate::sketch::{StrokeId, limits};
-use glam::Quat;
+use glam::{Quat, Vec3};
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, SeqAccess, Visitor};
 use std::fmt;
 
 /// Appends a pose as JSON.
-pub(super) fn push(out: &mut String, pose: &WoodPose) {
-    match pose.wood {
-        WoodName::Stroke(stroke) => out.push_str(&format!("{{\"stroke\": {stroke}")),
-        WoodName::Grown(name) => out.push_str(&format!("{{\"grown\": \"{name:016x}\"")),
+pub(super) fn push(out: &mut String, pose: &PartPose) {
+    match pose.part {
+        PartName::Stroke(stroke) => out.push_str(&format!("{{\"stroke\": {stroke}")),
+        PartName::Grown(name) => out.push_str(&format!("{{\"grown\": \"{name:016x}\"")),
     }
     for (name, turn) in [("turn", pose.turn), ("bend", pose.bend)] {
         if turn == Quat::IDENTITY {
             continue;
         }
-        out.push_str(&format!(", \"{name}\": ["));
-        for (n, number) in turn.to_array().into_iter().enumerate() {
-            out.push_str(if n == 0 { "" } else { ", " });
-            push_number(out, number);
-        }
-        out.push(']');
+        push_numbers(out, name, &turn.to_array());
+    }
+    if pose.shift != Vec3::ZERO {
+        push_numbers(out, "shift", &pose.shift.to_array());
     }
     if pose.thickness != 1.0 {
         out.push_str(", \"thickness\": ");
@@ -44,30 +42,39 @@ pub(super) fn push(out: &mut String, pose: &WoodPose) {
     out.push_str(if pose.is_cut { ", \"cut\": true}" } else { "}" });
 }
 
-/// Reads the list.
-pub(super) struct WoodPosesSeed<'p>(pub(super) &'p Progress);
+fn push_numbers(out: &mut String, name: &str, numbers: &[f32]) {
+    out.push_str(&format!(", \"{name}\": ["));
+    for (n, number) in numbers.iter().enumerate() {
+        out.push_str(if n == 0 { "" } else { ", " });
+        push_number(out, *number);
+    }
+    out.push(']');
+}
 
-impl<'de> DeserializeSeed<'de> for WoodPosesSeed<'_> {
-    type Value = WoodPoses;
+/// Reads the list.
+pub(super) struct PartPosesSeed<'p>(pub(super) &'p Progress);
+
+impl<'de> DeserializeSeed<'de> for PartPosesSeed<'_> {
+    type Value = PartPoses;
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Self::Value, D::Error> {
         deserializer.deserialize_seq(self)
     }
 }
 
-impl<'de> Visitor<'de> for WoodPosesSeed<'_> {
-    type Value = WoodPoses;
+impl<'de> Visitor<'de> for PartPosesSeed<'_> {
+    type Value = PartPoses;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of poses of branches")
+        f.write_str("a list of poses of branches and organs")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
         let progress = self.0;
         let mut poses = Vec::new();
         while let Some(text) = seq.next_element::<PoseText>()? {
-            if poses.len() == limits::MAX_WOOD_POSES {
-                let (what, limit) = ("poses of branches", limits::MAX_WOOD_POSES);
+            if poses.len() == limits::MAX_PART_POSES {
+                let (what, limit) = ("poses", limits::MAX_PART_POSES);
                 return Err(progress.refuse(Fault::TooMany { what, limit }));
             }
             let pose = text.pose().map_err(|what| progress.malformed(what))?;
@@ -80,11 +87,11 @@ impl<'de> Visitor<'de> for WoodPosesSeed<'_> {
 }
 
 /// The poses of a step in the journal.
-pub(super) struct WoodPoseList(pub(super) WoodPoses);
+pub(super) struct PartPoseList(pub(super) PartPoses);
 
-impl<'de> Deserialize<'de> for WoodPoseList {
+impl<'de> Deserialize<'de> for PartPoseList {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        WoodPosesSeed(&Progress::default()).deserialize(deserializer).map(Self)
+        PartPosesSeed(&Progress::default()).deserialize(deserializer).map(Self)
     }
 }
 
@@ -95,30 +102,32 @@ struct PoseText {
     grown: Option<String>,
     turn: Option<[f32; 4]>,
     bend: Option<[f32; 4]>,
+    shift: Option<[f32; 3]>,
     thickness: Option<f32>,
     #[serde(default)]
     cut: bool,
 }
 
 impl PoseText {
-    /// The pose, or what is wrong with the name of its branch.
-    fn pose(self) -> Result<WoodPose, String> {
-        let wood = match (self.stroke, self.grown) {
-            (Some(stroke), None) => WoodName::Stroke(stroke),
-            (None, Some(name)) => WoodName::Grown(grown(&name)?),
-            _ => return Err("a pose has one of `stroke` and `grown`, which name its branch".to_owned()),
+    /// The pose, or what is wrong with the name of its part.
+    fn pose(self) -> Result<PartPose, String> {
+        let part = match (self.stroke, self.grown) {
+            (Some(stroke), None) => PartName::Stroke(stroke),
+            (None, Some(name)) => PartName::Grown(grown(&name)?),
+            _ => return Err("a pose has one of `stroke` and `grown`, which name its part".to_owned()),
         };
         let turn_of = |numbers: Option<[f32; 4]>| numbers.map_or(Quat::IDENTITY, Quat::from_array);
         let (turn, bend, thickness) = (turn_of(self.turn), turn_of(self.bend), self.thickness.unwrap_or(1.0));
-        Ok(WoodPose { wood, turn, bend, thickness, is_cut: self.cut })
+        let shift = self.shift.map_or(Vec3::ZERO, Vec3::from_array);
+        Ok(PartPose { part, turn, bend, shift, thickness, is_cut: self.cut })
     }
 }
 
-/// The name of a branch that grew.
+/// The name of a part that grew.
 fn grown(digits: &str) -> Result<u64, String> {
     let is_name = digits.len() == 16 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
     let name = is_name.then(|| u64::from_str_radix(digits, 16).ok()).flatten();
     name.ok_or_else(|| {
-        format!("{} is no name of a grown branch; write 16 hexadecimal digits", quote::name(digits))
+        format!("{} is no name of a grown part; write 16 hexadecimal digits", quote::name(digits))
     })
 }

@@ -1,0 +1,201 @@
+//! Leaves, flowers, fruits and pots turned, moved, made larger and taken away by the artist.
+//!
+//! They are posed when the species has given the plant its looks: so all else stays as it was, to the last bit, and a flower is
+//! moved with its disc and sepals, a compound leaf with its leaflets. What was drawn or grew with a name is found again by
+//! that. A leaf turns about the place that its stalk stands on, slides along its stem, and goes with that where it was posed;
+//! a petal turns in its flower.
+//!
+//! Limits: organs are not bent, and nothing keeps them from passing through others. Of a flower that stands on no drawn or
+//! grown part, as those of built-in inflorescences, there is no name.
+
+use super::part_names::PartNames;
+use super::poses::{PartFrame, Posed};
+use super::slide::Slide;
+use crate::plant::{Motion, OrganPart, Origin, Plant};
+use crate::sketch::{PartName, PartPose};
+use glam::{Quat, Vec3};
+use std::collections::HashMap;
+
+/// Organs that are moved as one: a leaf with its leaflets and stalk, a flower, a single petal, a pot with its earth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OrganGroup {
+    /// What it is known by.
+    pub name: PartName,
+    /// Its organs, at least one but for a flower without any.
+    pub organs: Vec<usize>,
+    /// The flower that it is, or that it is a petal of.
+    pub flower: Option<usize>,
+    /// Whether it is a whole flower.
+    pub is_flower: bool,
+    /// The branch that is its stalk.
+    pub stalk: Option<usize>,
+    /// The branch that it stands on.
+    pub on: Option<usize>,
+    /// Where it stands, metres.
+    pub base: Vec3,
+}
+
+impl OrganGroup {
+    /// The groups of a plant whose names are `wanted`, flowers behind all others.
+    pub fn all(plant: &Plant, names: &PartNames, wanted: impl Fn(PartName) -> bool) -> Vec<Self> {
+        let wanted = |origin: Origin| names.of(origin).filter(|name| wanted(*name));
+        let flower = |(index, origin): (usize, Origin)| Some(Self::flower(plant, wanted(origin)?, index));
+        let origins = plant.flowers.iter().map(|flower| flower.origin).enumerate();
+        let mut flowers: Vec<Option<Self>> = origins.map(flower).collect();
+        let mut groups: Vec<Self> = Vec::new();
+        let mut place_of: HashMap<PartName, usize> = HashMap::new();
+        let mut last = None;
+        for (index, organ) in plant.organs.iter().enumerate() {
+            if let Some(flower) = organ.flower.and_then(|flower| flowers[flower].as_mut()) {
+                flower.organs.push(index);
+            }
+            // The earth of a pot stands behind it.
+            let is_earth = organ.role.part == OrganPart::Soil;
+            let place = match wanted(organ.origin) {
+                Some(name) => Some(*place_of.entry(name).or_insert_with(|| {
+                    groups.push(Self::organ(plant, name, index));
+                    groups.len() - 1
+                })),
+                None => last.filter(|_| is_earth),
+            };
+            place.into_iter().for_each(|place| groups[place].organs.push(index));
+            last = place;
+        }
+        groups.extend(flowers.into_iter().flatten());
+        groups
+    }
+
+    fn flower(plant: &Plant, name: PartName, index: usize) -> Self {
+        let flower = &plant.flowers[index];
+        let (on, base) = (flower.branch, flower.cone.apex);
+        Self { name, organs: Vec::new(), flower: Some(index), is_flower: true, stalk: None, on, base }
+    }
+
+    /// That of an organ, which is the first of its name.
+    fn organ(plant: &Plant, name: PartName, index: usize) -> Self {
+        let organ = &plant.organs[index];
+        let (flower, base) = (organ.flower, organ.base());
+        // A petal stands on its flower alone.
+        let branch = organ.branch.filter(|_| flower.is_none());
+        let stalk = branch.filter(|branch| is_stalk(plant, *branch, base));
+        let foot = stalk.and_then(|stalk| plant.branches[stalk].points.first());
+        let on = stalk.map_or(branch, |stalk| plant.branches[stalk].parent);
+        let base = foot.copied().unwrap_or(base);
+        Self { name, organs: Vec::new(), flower, is_flower: false, stalk, on, base }
+    }
+
+    /// What a new pose of it starts from.
+    pub fn frame(&self, plant: &Plant, names: &PartNames, posed: &Posed) -> PartFrame {
+        let own = posed.organs.get(&self.name).copied();
+        own.unwrap_or_else(|| {
+            let turn = self.parent_turn(plant, names, posed);
+            PartFrame { stood: self.base, parent_turn: turn, foot: turn }
+        })
+    }
+
+    /// What the place that it stands on was turned by.
+    fn parent_turn(&self, plant: &Plant, names: &PartNames, posed: &Posed) -> Quat {
+        let flower = self.flower.filter(|_| !self.is_flower).map(|flower| &plant.flowers[flower]);
+        let flower_name = flower.and_then(|flower| names.of(flower.origin));
+        if let Some(frame) = flower_name.and_then(|name| posed.organs.get(&name)) {
+            return frame.foot;
+        }
+        let on = self.on.or(flower.and_then(|flower| flower.branch));
+        // What a rule made stands as what it stands on.
+        let below = |branch: &usize| {
+            let branch = &plant.branches[*branch];
+            branch.parent.filter(|_| branch.origin == Origin::Generated)
+        };
+        let mut down = std::iter::successors(on, below);
+        let motion = down.find_map(|branch| posed.motion_at(&plant.branches[branch], self.base));
+        motion.map_or(Quat::IDENTITY, |motion| motion.turn)
+    }
+
+    /// How its pose moves it, and the frame of that.
+    fn posed(&self, plant: &Plant, parent_turn: Quat, pose: &PartPose, scale: f32) -> (Motion, PartFrame) {
+        let on = self.on.map(|branch| &plant.branches[branch]);
+        let slide = Slide::new(on, self.base, parent_turn * (pose.shift * scale), scale);
+        let foot = (slide.turn * parent_turn * pose.turn).normalize();
+        let motion = Motion {
+            turn: (foot * parent_turn.inverse()).normalize(),
+            from: self.base,
+            to: slide.to,
+            size: pose.thickness,
+        };
+        (motion, PartFrame { stood: self.base, parent_turn, foot })
+    }
+
+    fn move_by(&self, plant: &mut Plant, motion: &Motion) {
+        self.organs.iter().for_each(|organ| plant.organs[*organ].move_by(motion));
+        if let Some(flower) = self.flower.filter(|_| self.is_flower) {
+            plant.flowers[flower].move_by(motion);
+        }
+        if let Some(stalk) = self.stalk {
+            let stalk = &mut plant.branches[stalk];
+            stalk.points.iter_mut().for_each(|point| *point = motion.point(*point));
+            stalk.radii.iter_mut().for_each(|radius| *radius *= motion.size);
+        }
+    }
+}
+
+/// Whether a branch is the stalk of the organ that stands there: made for it, and it ends there.
+fn is_stalk(plant: &Plant, branch: usize, at: Vec3) -> bool {
+    let Some(parent) = plant.branches[branch].parent else { return false };
+    let branch = &plant.branches[branch];
+    let end = branch.points.last().zip(branch.radii.last());
+    let ends_there = end.is_some_and(|(end, radius)| end.distance(at) <= 2.0 * radius);
+    branch.origin == Origin::Generated && plant.branches[parent].origin != Origin::Generated && ends_there
+}
+
+/// Poses organs, and takes away those that are cut off. `scale` is what a pixel of the canvas is, metres. Poses that are left in
+/// `poses` are of no organ of the plant.
+pub fn pose_organs(
+    plant: &mut Plant,
+    (names, poses, scale): (&PartNames, &mut Vec<PartPose>, f32),
+    posed: &mut Posed,
+) {
+    if poses.is_empty() {
+        return;
+    }
+    let pose_of: HashMap<PartName, PartPose> = poses.iter().map(|pose| (pose.part, *pose)).collect();
+    let groups = OrganGroup::all(plant, names, |name| pose_of.contains_key(&name));
+    poses.retain(|pose| groups.iter().all(|group| group.name != pose.part));
+    for group in &groups {
+        let parent_turn = group.parent_turn(plant, names, posed);
+        let (motion, frame) = group.posed(plant, parent_turn, &pose_of[&group.name], scale);
+        group.move_by(plant, &motion);
+        if group.is_flower {
+            let petals = groups.iter().filter(|petal| !petal.is_flower && petal.flower == group.flower);
+            for petal in petals {
+                posed.organs.entry(petal.name).and_modify(|petal| *petal = moved(petal, &motion));
+            }
+        }
+        posed.organs.insert(group.name, frame);
+    }
+    take_away(plant, groups.iter().filter(|group| pose_of[&group.name].is_cut));
+    debug_assert_eq!(plant.check_invariants(), Ok(()));
+}
+
+/// The frame of a petal in a flower that is moved.
+fn moved(petal: &PartFrame, by: &Motion) -> PartFrame {
+    let (stood, parent_turn, foot) =
+        (by.point(petal.stood), by.turn * petal.parent_turn, by.turn * petal.foot);
+    PartFrame { stood, parent_turn, foot }
+}
+
+fn take_away<'a>(plant: &mut Plant, groups: impl Iterator<Item = &'a OrganGroup>) {
+    let mut organs = vec![true; plant.organs.len()];
+    let mut flowers = vec![true; plant.flowers.len()];
+    let mut branches = vec![true; plant.branches.len()];
+    let mut is_any = false;
+    for group in groups {
+        is_any = true;
+        group.organs.iter().for_each(|organ| organs[*organ] = false);
+        group.flower.filter(|_| group.is_flower).into_iter().for_each(|flower| flowers[flower] = false);
+        group.stalk.into_iter().for_each(|stalk| branches[stalk] = false);
+    }
+    if is_any {
+        plant.keep_organs(&organs, &flowers);
+        plant.keep_branches(&branches);
+    }
+}
