@@ -3,9 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use crate::in_space::{built, in_space};
-use glam::vec2;
+use glam::{Vec3, vec2};
+use penstemon::modelling::PartNames;
 use penstemon::pipeline::{self, Built};
-use penstemon::sketch::{self, Brush, Remark, Sketch, Stroke, StrokePoint, Tool};
+use penstemon::plant::{Branch, Organ, Origin};
+use penstemon::sketch::{self, Brush, PartPose, Remark, Sketch, Stroke, StrokePoint, Tool};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -238,4 +240,82 @@ fn nothing_is_painted_through_a_wall() {
     assert!(of_brush(&without, behind.0, behind.1) > 50, "without a wall it grows on");
     assert_eq!(of_brush(&with, behind.0, behind.1), 0);
     assert!(of_brush(&with, before.0, before.1) > 50, "before the wall it grows");
+}
+
+/// A built-in drawing, and a stroke of a brush along its first one, from there to there.
+fn along_stem(name: &str, tool: Tool, (from, to): (usize, usize), radius: f32) -> Sketch {
+    let file = format!("assets/sketches/{name}.penstemon");
+    let mut sketch = sketch::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap().0;
+    let stem = sketch.strokes[0].points.clone();
+    let place = |share: usize| StrokePoint::at(stem[(stem.len() - 1) * share / 100].position);
+    let points = (from..=to).map(place).collect();
+    let brush = Some(Brush { radius, ..Brush::default() });
+    sketch.strokes.push(Arc::new(Stroke { id: 900, tool, points, brush }));
+    sketch
+}
+
+#[test]
+fn leaves_are_painted_on_a_stem_like_its_own_and_stay_while_the_stroke_goes_on() {
+    let [short, long] = [60, 90].map(|to| along_stem("balloon_flower", Tool::LeafBrush, (10, to), 50.0));
+    let bare = Sketch { strokes: short.strokes[..short.strokes.len() - 1].to_vec(), ..short.clone() };
+    let of = |sketch: &Sketch| {
+        let built = built(sketch);
+        assert_eq!(built.remarks, []);
+        let grown = built.plant.organs.iter().filter(|organ| matches!(organ.origin, Origin::Grown(_)));
+        (grown.map(Organ::base).collect::<Vec<Vec3>>(), built)
+    };
+    let ((none, before), (few, _), (many, after)) = (of(&bare), of(&short), of(&long));
+    assert!(none.is_empty() && few.len() >= 4 && many.len() > few.len(), "{few:?} {many:?}");
+    assert!(few.iter().all(|leaf| many.contains(leaf)), "those that are there stay");
+    for leaf in many {
+        let mut near = after.plant.branches.iter().map(|branch| (branch.axis_at(leaf), branch));
+        let holds = |((axis, radius), _): ((Vec3, f32), &Branch)| axis.distance(leaf) <= radius;
+        assert!(near.any(holds), "it stands on wood");
+    }
+    assert_eq!(before.plant.organs[..5], after.plant.organs[..5], "the plant's own stay");
+    // One of them is taken away like any other part.
+    let names = PartNames::new(&after.provenance);
+    let painted = after.plant.organs.iter().find(|organ| matches!(organ.origin, Origin::Grown(_))).unwrap();
+    let gone = PartPose { is_cut: true, ..PartPose::still(names.of(painted.origin).unwrap()) };
+    let posed = built(&Sketch { part_poses: [gone].into(), ..long.clone() });
+    assert_eq!((posed.remarks.len(), posed.plant.organs.len()), (0, after.plant.organs.len() - 1));
+    let text = sketch::json::write(&long);
+    assert!(text.contains("\"version\": 10") && text.contains("leaf_brush"));
+    assert_eq!(sketch::read::from_bytes(text.as_bytes(), "leaves.penstemon").unwrap().0, long);
+}
+
+#[test]
+fn painted_flowers_are_copies_of_the_drawn_ones_or_of_the_species() {
+    let drawn = along_stem("balloon_flower", Tool::FlowerBrush, (5, 60), 60.0);
+    let bare = Sketch { strokes: drawn.strokes[..drawn.strokes.len() - 1].to_vec(), ..drawn.clone() };
+    let (before, after) = (built(&bare), built(&drawn));
+    assert_eq!(after.remarks, []);
+    let [was, is] = [&before, &after].map(|built| built.plant.flowers.len());
+    assert!(is > was, "{is} flowers");
+    // Each as many petals, sepals and stamens as the one that it is a copy of, with its look, on a stalk of its own.
+    let organs =
+        |flower: usize| after.plant.organs.iter().filter(|organ| organ.flower == Some(flower)).count();
+    for (nth, flower) in after.plant.flowers[was..].iter().enumerate() {
+        let of = nth % was;
+        assert_eq!((organs(was + nth), flower.look), (organs(of), after.plant.flowers[of].look));
+        let stalk = &after.plant.branches[flower.branch.unwrap()];
+        assert!(stalk.parent.is_some() && stalk.points.last().unwrap().distance(flower.cone.apex) < 1e-5);
+    }
+    // A peony has flowers by itself, a maple none that could be painted.
+    let mut wood = in_space();
+    wood.part_poses = [].into();
+    wood.strokes.push(stroke(40, Tool::FlowerBrush, [600.0, 300.0, 0.0], [700.0, 700.0, 0.0], 300.0));
+    wood.species = Some("peony".to_owned());
+    let peony = built(&wood);
+    assert!(peony.remarks.is_empty() && peony.plant.flowers.len() > 20, "{}", peony.plant.flowers.len());
+    wood.species = Some("maple".to_owned());
+    let remarks: Vec<_> = built(&wood).remarks.into_iter().map(|warning| warning.remark).collect();
+    assert!(remarks.contains(&Remark::NoFlowerToPaint), "{remarks:?}");
+    for tool in [Tool::LeafBrush, Tool::FlowerBrush] {
+        let mut away = drawn.clone();
+        let last = away.strokes.len() - 1;
+        away.strokes[last] = stroke(900, tool, [9e4, 0.0, 0.0], [9e4, 9.0, 0.0], 40.0);
+        let remarks: Vec<_> = built(&away).remarks.into_iter().map(|warning| warning.remark).collect();
+        assert_eq!(remarks, [Remark::BrushOutOfReach]);
+    }
 }

@@ -126,6 +126,8 @@ fn edit_space(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
             (13, _) => Tool::SpaceBranch,
             (_, 0) => Tool::PruningBrush,
             (_, 1) if by > 0.0 => Tool::LightBrush,
+            (_, 1) => Tool::FlowerBrush,
+            (_, 2) if by > 0.0 => Tool::LeafBrush,
             _ => Tool::GrowthBrush,
         };
         branch.brush = branch.tool.is_brush().then(|| Brush { radius: 5.0 + by.abs(), ..Brush::default() });

@@ -215,9 +215,13 @@ fn understood(
     params: &TipParams,
 ) -> (Part, f32, Option<FlatBlade>, Option<Remark>) {
     let (is_blade, confidence) = match tool {
-        Tool::Branch | Tool::SpaceBranch | Tool::GrowthBrush | Tool::PruningBrush | Tool::LightBrush => {
-            (false, 1.0)
-        }
+        Tool::Branch
+        | Tool::SpaceBranch
+        | Tool::GrowthBrush
+        | Tool::PruningBrush
+        | Tool::LightBrush
+        | Tool::LeafBrush
+        | Tool::FlowerBrush => (false, 1.0),
         Tool::BranchOutline => return (Part::BranchOutline, 1.0, None, None),
         Tool::LeafOutline => return (Part::LeafOutline, 1.0, None, None),
         Tool::Crown => return (Part::Crown, 1.0, None, None),

@@ -188,8 +188,8 @@ impl Palette {
     pub fn tool(&self, tool: Tool) -> Color32 {
         match tool {
             Tool::Auto => self.ink,
-            Tool::Petal => self.petal,
-            Tool::Leaf | Tool::GrowthBrush => self.leaf,
+            Tool::Petal | Tool::FlowerBrush => self.petal,
+            Tool::Leaf | Tool::GrowthBrush | Tool::LeafBrush => self.leaf,
             Tool::PruningBrush => self.error,
             Tool::LightBrush => self.crown,
             Tool::Branch | Tool::SpaceBranch => self.branch[0],

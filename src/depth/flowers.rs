@@ -97,8 +97,9 @@ impl Flowers {
     ) -> (Vec<Flower>, Vec<Organ>, Templates) {
         let world = &{ provenance.world_from_canvas };
         let posed = anatomy.flowers.iter().zip(poses).zip(depths);
+        let flowers = posed.map(|((flat, pose), depth)| flower(flat, pose, *depth, &anatomy.petals, world));
         let flowers: Vec<Flower> =
-            posed.map(|((flat, pose), depth)| flower(flat, pose, *depth, &anatomy.petals, world)).collect();
+            flowers.enumerate().map(|(look, flower)| Flower { look, ..flower }).collect();
         let mut placed = Vec::with_capacity(anatomy.petals.len());
         for ((flat, pose), flower) in anatomy.flowers.iter().zip(poses).zip(&flowers) {
             let petals = flat.petals.iter().zip(&pose.tip_depths).zip(&pose.whorl_of);
@@ -122,7 +123,7 @@ impl Flowers {
         let (mut organs, mut templates) =
             (Vec::with_capacity(placed.len() + anatomy.leaves.len()), Templates::default());
         let mut petal = |index: usize, origin: Origin, blade: &MadePetal| Organ {
-            role: Role::of(OrganPart::Petal),
+            role: Role { look: index as u32, ..Role::of(OrganPart::Petal) },
             origin,
             branch: flowers[index].branch,
             flower: Some(index),

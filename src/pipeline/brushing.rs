@@ -6,7 +6,7 @@
 //! no more than a drawn crown may.
 
 use super::setup::Params;
-use crate::growth::brush::{Memory, Paint, Painted, prune};
+use crate::growth::brush::{Furnish, Memory, PAINTED_AGE, Paint, Painted, prune};
 use crate::growth::{Habit, Lamp, Limits, Obstacles, PlantAtAge, Swept, drawing};
 use crate::plant::{Provenance, WorldFromCanvas};
 use crate::quote;
@@ -51,6 +51,19 @@ pub(super) fn brush(
         }
         let radius = brush.radius * world.scale;
         let seed = mix(Choice::BRUSH.key(sketch.seed), stroke.id);
+        if let Tool::LeafBrush | Tool::FlowerBrush = stroke.tool {
+            let most = limits(plant);
+            let furnish =
+                Furnish { swept: &swept, density: brush.density, habit: &habit, seed, most: most.leaves };
+            remarks.extend(
+                match stroke.tool {
+                    Tool::LeafBrush => leaves(furnish, plant, provenance),
+                    _ => flowers(furnish, plant, provenance, flower_of(species, params, &habit)),
+                }
+                .map(remark),
+            );
+            continue;
+        }
         let obstacles = obstacles.clone();
         let paint = Paint { swept: Arc::new(swept), obstacles, radius, density: brush.density, seed };
         let with = (&habit, limits(plant));
@@ -69,6 +82,44 @@ pub(super) fn brush(
     }
     memory.truncate(painted);
     Some(remarks)
+}
+
+/// Paints leaves, and says what is odd about that.
+fn leaves(furnish: Furnish<'_>, plant: &mut PlantAtAge, provenance: &Provenance) -> Option<Remark> {
+    if furnish.most == 0 {
+        return Some(Remark::PaintsNoMore { most: drawing::LIMITS.leaves });
+    }
+    (!furnish.leaves(plant, provenance)).then_some(Remark::BrushOutOfReach)
+}
+
+/// Paints flowers, and says what is odd about that; those of the species, if it has any, open from buds of a size, metres, and look.
+fn flowers(
+    furnish: Furnish<'_>,
+    plant: &mut PlantAtAge,
+    provenance: &Provenance,
+    of_species: Option<(f32, usize)>,
+) -> Option<Remark> {
+    let of_drawn =
+        || plant.plant.organs.iter().any(|organ| organ.flower.is_some() && organ.origin.is_drawn());
+    if of_species.is_none() && !of_drawn() {
+        return Some(Remark::NoFlowerToPaint);
+    }
+    let most = limits(plant).flower_buds.saturating_sub(plant.plant.flowers.len());
+    let furnish = Furnish { most, ..furnish };
+    if furnish.most == 0 {
+        return Some(Remark::PaintsNoMore { most: drawing::LIMITS.flower_buds });
+    }
+    (!furnish.flowers(plant, provenance, of_species.unwrap_or_default())).then_some(Remark::BrushOutOfReach)
+}
+
+/// Size, metres, and look of a bud that the species opens; none where it opens none.
+fn flower_of(species: &Species, params: &Params, habit: &Habit) -> Option<(f32, usize)> {
+    if species.blossom.is_some() {
+        return Some((habit.leaf.at(PAINTED_AGE).length, 0));
+    }
+    let mut looks = species.looks_of_drawn().into_iter();
+    let look = looks.find(|look| species.flowers[*look].layers.is_some())?;
+    Some((params.flower.bloom.reach, look))
 }
 
 /// The light that a drawing's brushes paint, for all of its growth but that of other brushes.

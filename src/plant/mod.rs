@@ -100,7 +100,8 @@ pub struct Flower {
     pub centre_radius: f32,
     /// Distance from the centre to the petals' tips in metres.
     pub reach: f32,
-    /// Index of the flower's look among the species' flowers.
+    /// Number of the flower among those of its plant, copies that of what they are copies of; applied, a species makes it the index
+    /// of its look among the species' flowers.
     pub look: usize,
 }
 

@@ -44,6 +44,7 @@ pub use write::write;
 
 use super::{Sketch, Stroke, TextureChoice, Tool};
 use glam::Vec3;
+use std::sync::Arc;
 
 /// What the `format` field says.
 pub const FORMAT: &str = "penstemon-sketch";
@@ -53,14 +54,16 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// 1: all but pictures of the artist's own for textures, of which only the path was kept. 2: these pictures themselves. 3: plants
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
-/// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on.
+/// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on, and strokes of the leaf and the flower brush.
 pub const VERSION: u32 = 10;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
     let has_depth = |stroke: &Stroke| stroke.points.iter().any(|point| point.depth != 0.0);
     let is_in_space = |stroke: &Stroke| stroke.tool == Tool::SpaceBranch || has_depth(stroke);
-    if sketch.part_poses.iter().any(|pose| pose.shift != Vec3::ZERO) {
+    let paints_organs = |stroke: &Arc<Stroke>| matches!(stroke.tool, Tool::LeafBrush | Tool::FlowerBrush);
+    let is_shifted = sketch.part_poses.iter().any(|pose| pose.shift != Vec3::ZERO);
+    if is_shifted || sketch.brush_strokes().any(paints_organs) {
         return 10;
     }
     if sketch.part_poses.iter().any(|pose| !pose.is_of_first_kind()) {

@@ -85,11 +85,15 @@ pub enum Tool {
     PruningBrush,
     /// Way of a ball through the space of the plant that shines: what grows there grows toward it.
     LightBrush,
+    /// Way of a ball through the space of the plant: leaves stand on the wood in it.
+    LeafBrush,
+    /// Way of a ball through the space of the plant: flowers stand on the wood in it.
+    FlowerBrush,
 }
 
 impl Tool {
     /// Every tool, in the order in which help and panels list them.
-    pub const ALL: [Tool; 11] = [
+    pub const ALL: [Tool; 13] = [
         Tool::Auto,
         Tool::Petal,
         Tool::Leaf,
@@ -101,11 +105,27 @@ impl Tool {
         Tool::GrowthBrush,
         Tool::PruningBrush,
         Tool::LightBrush,
+        Tool::LeafBrush,
+        Tool::FlowerBrush,
     ];
 
     /// Whether its strokes are the way of a ball, and have a [`Brush`].
     pub fn is_brush(self) -> bool {
-        matches!(self, Self::GrowthBrush | Self::PruningBrush | Self::LightBrush)
+        match self {
+            Self::GrowthBrush
+            | Self::PruningBrush
+            | Self::LightBrush
+            | Self::LeafBrush
+            | Self::FlowerBrush => true,
+            Self::Auto
+            | Self::Petal
+            | Self::Leaf
+            | Self::Branch
+            | Self::BranchOutline
+            | Self::LeafOutline
+            | Self::Crown
+            | Self::SpaceBranch => false,
+        }
     }
 
     /// Whether its strokes lie in the space of the plant and not on the sheet.
@@ -127,6 +147,8 @@ impl Tool {
             Tool::GrowthBrush => "growth_brush",
             Tool::PruningBrush => "pruning_brush",
             Tool::LightBrush => "light_brush",
+            Tool::LeafBrush => "leaf_brush",
+            Tool::FlowerBrush => "flower_brush",
         }
     }
 }

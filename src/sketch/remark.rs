@@ -177,6 +177,15 @@ pub enum Remark {
     /// A brush with no wood near it.
     #[error("reaches no wood, so nothing grew in it; paint nearer to a branch")]
     BrushOutOfReach,
+    /// A brush of leaves or flowers on a plant that has as many as it may have.
+    #[error("adds nothing: the plant has {most} already, the most that it may have")]
+    PaintsNoMore {
+        /// How many.
+        most: usize,
+    },
+    /// A flower brush without a flower.
+    #[error("paints no flower: none is drawn to be copied, and the species has none by itself")]
+    NoFlowerToPaint,
     /// A pruning brush in which nothing is.
     #[error("cuts nothing: no wood, leaf or flower is where it was painted")]
     BrushCutsNothing,
@@ -307,6 +316,8 @@ impl Remark {
             | Self::ManyCrowns { .. }
             | Self::DoesNotGrow { .. }
             | Self::BrushOutOfReach
+            | Self::NoFlowerToPaint
+            | Self::PaintsNoMore { .. }
             | Self::GrowthCapped { .. }
             | Self::GrownTooLarge { .. }
             | Self::GrowthTooCostly { .. }

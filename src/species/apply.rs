@@ -94,8 +94,8 @@ pub fn apply_within(
         is_blossom_thinned = blossom(&mut plant, buds, look, budget.blossoms, rng);
     }
     let looks = species.looks_of_drawn();
-    for (index, flower) in plant.flowers.iter_mut().enumerate() {
-        flower.look = looks.get(index % looks.len().max(1)).copied().unwrap_or(0);
+    for flower in &mut plant.flowers {
+        flower.look = looks.get(flower.look % looks.len().max(1)).copied().unwrap_or(0);
     }
     season::turn(&mut plant, provenance, species, seed);
     compound_leaves::divide(&mut plant, &species.leaf, seed);

@@ -37,7 +37,7 @@ pub(super) fn blossom(
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
     let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
         let size = bud.v.length() / mean;
-        let flower = pose(bud, reach * size, look);
+        let flower = Flower { look: plant.flowers.len(), ..pose(bud, reach * size, look) };
         plant.organs.extend(petals((&flower, size), plant.flowers.len(), look, template, rng));
         plant.flowers.push(flower);
     };

@@ -21,12 +21,18 @@ pub(super) struct BrushStroke {
 }
 
 impl BrushStroke {
-    /// The stroke as the worker is given it: of a pruning brush. What grows in a growth brush would be another with every sample, so
+    /// The stroke as the worker is given it: of all but growth and light. What grows in a growth brush would be another with every sample, so
     /// it grows when the pen is lifted.
     pub(super) fn under_pen(&self) -> Option<UnderPen<'_>> {
         let &Self { id, tool, brush, ref points, .. } = self;
         let settled = points.len();
-        (tool == Tool::PruningBrush).then_some(UnderPen { id, tool, points, settled, brush: Some(brush) })
+        matches!(tool, Tool::PruningBrush | Tool::LeafBrush | Tool::FlowerBrush).then_some(UnderPen {
+            id,
+            tool,
+            points,
+            settled,
+            brush: Some(brush),
+        })
     }
 }
 

@@ -77,6 +77,8 @@ impl Editor {
             Key::U => Some(self.toggled(Tool::GrowthBrush)),
             Key::X => Some(self.toggled(Tool::PruningBrush)),
             Key::I => Some(self.toggled(Tool::LightBrush)),
+            Key::Y => Some(self.toggled(Tool::LeafBrush)),
+            Key::M => Some(self.toggled(Tool::FlowerBrush)),
             Key::J => Some(Action::PoseParts(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),

@@ -127,7 +127,7 @@ impl Editor {
         let when = (pressure, sample.time_ms - stroke.began_ms);
         let Some(new) = stroke.frame.next_sample(stroke.points.last(), met, when) else { return };
         stroke.points.push(new);
-        if stroke.tool == Tool::PruningBrush {
+        if stroke.under_pen().is_some() {
             self.live.set_stale();
         }
     }
@@ -147,7 +147,7 @@ impl Editor {
     pub(super) fn paint_brush(&self, painter: &Painter, palette: &Palette) {
         let scale = self.plant.pixels_per_point();
         let colour = match self.brush.tool {
-            Some(tool @ (Tool::PruningBrush | Tool::LightBrush)) => palette.tool(tool),
+            Some(tool @ (Tool::PruningBrush | Tool::LightBrush | Tool::FlowerBrush)) => palette.tool(tool),
             _ => palette.accent,
         };
         if let (Some(at), Some(radius)) = (self.brush.hovered, self.hovered_radius()) {

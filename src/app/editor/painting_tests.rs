@@ -71,6 +71,31 @@ fn light_may_be_painted_far_from_all_wood() {
 }
 
 #[test]
+fn leaves_and_flowers_are_painted_while_the_pen_moves() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _) = with_sketch(&home, "balloon_flower");
+    let bare = organs(&editor);
+    let mut last = bare;
+    for (key, tool) in [(egui::Key::Y, Tool::LeafBrush), (egui::Key::M, Tool::FlowerBrush)] {
+        editor.key(key, egui::Modifiers::NONE, true, false);
+        let from = on_trunk(&editor, 0.2);
+        touch(&mut editor, (PenPhase::Down, PenTool::Pen), from, 0.5);
+        let moves = (1..=8).map(|k| from - DVec2::new(0.0, 12.0 * f64::from(k)));
+        moves.for_each(|at| touch(&mut editor, (PenPhase::Move, PenTool::Pen), at, 0.5));
+        build(&mut editor);
+        assert!(organs(&editor) > last, "{tool:?}: before the pen is lifted");
+        touch(&mut editor, (PenPhase::Up, PenTool::Pen), from - DVec2::new(0.0, 96.0), 0.0);
+        build(&mut editor);
+        let strokes: Vec<Tool> = editor.sketch().brush_strokes().map(|stroke| stroke.tool).collect();
+        assert_eq!(strokes.last(), Some(&tool));
+        last = organs(&editor);
+    }
+    (0..2).for_each(|_| editor.perform(Action::Undo));
+    build(&mut editor);
+    assert_eq!(organs(&editor), bare, "a step each");
+}
+
+#[test]
 fn a_pruning_brush_cuts_while_it_moves_and_a_touch_taken_away_cuts_nothing() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _egui) = with_sketch(&home, "balloon_flower");

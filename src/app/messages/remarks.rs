@@ -58,6 +58,8 @@ impl Localize for Remark {
             }
             Self::BrushOutOfReach => fill(Msg::WarningBrushOutOfReach, &[]),
             Self::BrushCutsNothing => fill(Msg::WarningBrushCutsNothing, &[]),
+            Self::PaintsNoMore { most } => fill(Msg::WarningPaintsNoMore, &[("most", most)]),
+            Self::NoFlowerToPaint => fill(Msg::WarningNoFlowerToPaint, &[]),
             Self::LightsNothing => fill(Msg::WarningLightsNothing, &[]),
             Self::PosesRest { poses } => fill(Msg::WarningPosesRest, &[("count", poses)]),
             Self::GrowthCapped { internodes } => {
@@ -78,15 +80,16 @@ impl Localize for Remark {
                 fill(Msg::WarningNoSuchPlant, &[("known", &names_of(known, messages))])
             }
             Self::PlantOutOfScale => fill(Msg::WarningPlantOutOfScale, &[]),
-            Self::OfPlant { place, species, remark } => {
-                let (species, remark) = (messages.name(Named::Species, species), remark.localize(messages));
-                let values: [(&str, &dyn std::fmt::Display); 3] =
-                    [("place", place), ("species", &species), ("remark", &remark)];
-                fill(Msg::WarningOfPlant, &values)
-            }
+            Self::OfPlant { place, species, remark } => of_plant((*place, species), remark, messages),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
         }
     }
+}
+
+/// A remark about a plant beside the drawn one.
+fn of_plant((place, species): (usize, &str), remark: &Remark, messages: &Messages) -> String {
+    let (species, remark) = (messages.name(Named::Species, species), remark.localize(messages));
+    messages.fill(Msg::WarningOfPlant, &[("place", &place), ("species", &species), ("remark", &remark)])
 }
 
 /// The species of a list by the names under which the window offers them.
@@ -169,7 +172,9 @@ mod tests {
                 Remark::DoesNotGrow { species: "daisy".to_owned(), known: "oak".to_owned() }
             }
             Remark::DoesNotGrow { .. } => Remark::BrushOutOfReach,
-            Remark::BrushOutOfReach => Remark::BrushCutsNothing,
+            Remark::BrushOutOfReach => Remark::NoFlowerToPaint,
+            Remark::NoFlowerToPaint => Remark::PaintsNoMore { most: 6000 },
+            Remark::PaintsNoMore { .. } => Remark::BrushCutsNothing,
             Remark::BrushCutsNothing => Remark::LightsNothing,
             Remark::LightsNothing => Remark::PosesRest { poses: 3 },
             Remark::PosesRest { .. } => Remark::GrowthCapped { internodes: 50 },

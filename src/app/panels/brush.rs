@@ -11,9 +11,11 @@ use crate::sketch::{BRUSH_DENSITIES, BRUSH_GUIDES, Tool};
 use egui::Ui;
 
 /// The brushes, each with its key, what it is called and what it is for.
-const BRUSHES: [(Tool, Icon, char, Msg, Msg); 3] = [
+const BRUSHES: [(Tool, Icon, char, Msg, Msg); 5] = [
     (Tool::GrowthBrush, Icon::GrowthBrush, 'U', Msg::BrushGrow, Msg::BrushGrowHint),
     (Tool::PruningBrush, Icon::PruningBrush, 'X', Msg::BrushPrune, Msg::BrushPruneHint),
+    (Tool::LeafBrush, Icon::LeafBrush, 'Y', Msg::BrushLeaves, Msg::BrushLeavesHint),
+    (Tool::FlowerBrush, Icon::FlowerBrush, 'M', Msg::BrushFlowers, Msg::BrushFlowersHint),
     (Tool::LightBrush, Icon::LightBrush, 'I', Msg::BrushLight, Msg::BrushLightHint),
 ];
 
@@ -29,7 +31,7 @@ pub(super) fn buttons(ui: &mut Ui, state: &BrushState, messages: &Messages, out:
     }
 }
 
-/// How the brush in hand is set; of a pruning brush only its size means anything, of light its size and strength.
+/// How the brush in hand is set: what of its settings means anything.
 pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &mut Vec<Action>) {
     let Some(tool) = state.tool else { return };
     let (now, usual) = (state.settings, BrushSettings::default());
@@ -46,11 +48,11 @@ pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &
     };
     let size = rail(Msg::BrushSize, BrushSettings::SIZES, now.size, usual.size);
     out.extend(size.map(|size| Action::SetBrush(BrushSettings { size, ..now })));
-    if tool == Tool::GrowthBrush {
+    if matches!(tool, Tool::GrowthBrush | Tool::LeafBrush | Tool::FlowerBrush) {
         let density = rail(Msg::BrushDensity, BRUSH_DENSITIES.into_inner(), now.density, usual.density);
         out.extend(density.map(|density| Action::SetBrush(BrushSettings { density, ..now })));
     }
-    if tool != Tool::PruningBrush {
+    if matches!(tool, Tool::GrowthBrush | Tool::LightBrush) {
         let name = if tool == Tool::LightBrush { Msg::BrushStrength } else { Msg::BrushGuide };
         let guide = rail(name, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
         out.extend(guide.map(|guide| Action::SetBrush(BrushSettings { guide, ..now })));
@@ -62,6 +64,7 @@ pub(super) fn said(tool: Tool) -> Msg {
     match tool {
         Tool::PruningBrush => Msg::BrushPruning,
         Tool::LightBrush => Msg::BrushLighting,
+        Tool::LeafBrush | Tool::FlowerBrush => Msg::BrushPainting,
         _ => Msg::BrushGrowing,
     }
 }

@@ -235,6 +235,8 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("J", Msg::PoseParts),
         ("U", Msg::BrushGrow),
         ("X", Msg::BrushPrune),
+        ("Y", Msg::BrushLeaves),
+        ("M", Msg::BrushFlowers),
         ("I", Msg::BrushLight),
         ("Ctrl+C", Msg::EditCopy),
         ("Ctrl+X", Msg::EditCut),

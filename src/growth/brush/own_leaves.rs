@@ -1,6 +1,6 @@
 //! The leaves that a plant has already: what grows in a brush has leaves like them, drawn ones too.
 
-use crate::plant::{Blade, Organ, OrganKind, Plant, Shape, Template, TemplateId, Templates};
+use crate::plant::{Blade, GrownId, Organ, OrganKind, Origin, Plant, Shape, Template, TemplateId, Templates};
 use crate::random::{Choice, mix, unit};
 
 /// Most forms of leaves that are taken up.
@@ -47,7 +47,9 @@ impl OwnLeaves {
         let ids: Vec<TemplateId> = self.forms.iter().map(|(form, _)| templates.add(form.clone())).collect();
         for (nth, leaf) in (0u64..).zip(leaves) {
             let Shape::Blade(blade) = &mut leaf.shape else { continue };
-            let pick = unit(mix(Choice::LEAF_OUTLINE.key(seed), nth)) * ids.len() as f32;
+            // By its name, so that those that are there stay as they are while a stroke goes on.
+            let of = if let Origin::Grown(GrownId(name)) = leaf.origin { name } else { nth };
+            let pick = unit(mix(Choice::LEAF_OUTLINE.key(seed), of)) * ids.len() as f32;
             let pick = (pick as usize).min(ids.len() - 1);
             let (form, wider) = &self.forms[pick];
             let scale = blade.v.length() * usual[blade.template].length() / form.length();

@@ -7,5 +7,5 @@ mod schedule;
 
 pub use arrangement::Arrangement;
 pub use keys::{ClimbHabit, Control, CrownHabit, Habit, LightHabit, Profile, Resource, SpaceHabit, Toward};
-pub use leaf::{LeafHabit, LeafShape};
+pub use leaf::{LeafHabit, LeafPose, LeafShape};
 pub use schedule::Schedule;

@@ -65,8 +65,8 @@ fn push_numbers(out: &mut String, numbers: impl IntoIterator<Item = f32>) {
 fn colour(tool: Tool) -> &'static str {
     match tool {
         Tool::Auto => "#26313a",
-        Tool::Petal => "#b03a6e",
-        Tool::Leaf | Tool::LeafOutline => "#2f7a3d",
+        Tool::Petal | Tool::FlowerBrush => "#b03a6e",
+        Tool::Leaf | Tool::LeafOutline | Tool::LeafBrush => "#2f7a3d",
         Tool::Branch
         | Tool::BranchOutline
         | Tool::SpaceBranch
