@@ -48,7 +48,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
     let branch = (!plant.branches.is_empty()).then_some(0);
     let cone = Cone { apex: at, axis, opening_rad, height: reach * opening_rad.cos() };
     let origin = Origin::Generated;
-    plant.flowers.push(Flower { origin, branch, cone, centre_radius, reach, look: 0 });
+    plant.flowers.push(Flower { origin, branch, cone, centre_radius, reach, look: index });
     let side = axis.any_orthonormal_vector();
     for k in 0..petals {
         let around = Quat::from_axis_angle(axis, TAU * k as f32 / petals as f32) * side;
@@ -57,7 +57,7 @@ fn add_flower(plant: &mut Plant, at: Vec3, axis: Vec3, opening_rad: f32, centre_
         let rest = RestSurface::Cone { cone, hint: (at + direction * reach).z, sight: Vec3::Z };
         let template = template(plant, 0.9 * reach, Detail::Full);
         let mut petal = leaf(template, at + direction * 0.1 * reach, branch, Some(u64::from(k)));
-        petal.role = Role::of(OrganPart::Petal);
+        petal.role = Role { look: index as u32, ..Role::of(OrganPart::Petal) };
         petal.flower = Some(index);
         if let Shape::Blade(blade) = &mut petal.shape {
             (blade.v, blade.u, blade.rest) = (v, v.cross(Vec3::Z), rest);

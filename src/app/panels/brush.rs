@@ -13,9 +13,9 @@ use egui::Ui;
 /// The brushes, each with its key, what it is called and what it is for.
 const BRUSHES: [(Tool, Icon, char, Msg, Msg); 5] = [
     (Tool::GrowthBrush, Icon::GrowthBrush, 'U', Msg::BrushGrow, Msg::BrushGrowHint),
-    (Tool::PruningBrush, Icon::PruningBrush, 'X', Msg::BrushPrune, Msg::BrushPruneHint),
     (Tool::LeafBrush, Icon::LeafBrush, 'Y', Msg::BrushLeaves, Msg::BrushLeavesHint),
     (Tool::FlowerBrush, Icon::FlowerBrush, 'M', Msg::BrushFlowers, Msg::BrushFlowersHint),
+    (Tool::PruningBrush, Icon::PruningBrush, 'X', Msg::BrushPrune, Msg::BrushPruneHint),
     (Tool::LightBrush, Icon::LightBrush, 'I', Msg::BrushLight, Msg::BrushLightHint),
 ];
 
