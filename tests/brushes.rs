@@ -301,6 +301,12 @@ fn painted_flowers_are_copies_of_the_drawn_ones_or_of_the_species() {
         let stalk = &after.plant.branches[flower.branch.unwrap()];
         assert!(stalk.parent.is_some() && stalk.points.last().unwrap().distance(flower.cone.apex) < 1e-5);
     }
+    // One that is taken away goes with its stalk.
+    let name = PartNames::new(&after.provenance).of(after.plant.flowers[was].origin).unwrap();
+    let gone = PartPose { is_cut: true, ..PartPose::still(name) };
+    let posed = built(&Sketch { part_poses: [gone].into(), ..drawn.clone() });
+    assert_eq!(posed.plant.flowers.len(), is - 1);
+    assert_eq!(posed.plant.branches.len(), after.plant.branches.len() - 1);
     // A peony has flowers by itself, a maple none that could be painted.
     let mut wood = in_space();
     wood.part_poses = [].into();

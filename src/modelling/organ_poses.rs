@@ -11,12 +11,12 @@
 use super::part_names::PartNames;
 use super::poses::{PartFrame, Posed};
 use super::slide::Slide;
-use crate::plant::{Motion, OrganPart, Origin, Plant};
+use crate::plant::{Motion, Organ, OrganPart, Origin, Plant};
 use crate::sketch::{PartName, PartPose};
 use glam::{Quat, Vec3};
 use std::collections::HashMap;
 
-/// Organs that are moved as one: a leaf with its leaflets and stalk, a flower, a single petal, a pot with its earth.
+/// Organs that are moved as one: a leaf with its leaflets, a flower, both with their stalk if a rule made that, a single petal, a pot with its earth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OrganGroup {
     /// What it is known by.
@@ -67,8 +67,8 @@ impl OrganGroup {
 
     fn flower(plant: &Plant, name: PartName, index: usize) -> Self {
         let flower = &plant.flowers[index];
-        let (on, base) = (flower.branch, flower.cone.apex);
-        Self { name, organs: Vec::new(), flower: Some(index), is_flower: true, stalk: None, on, base }
+        let of = Self::on_stalk(plant, name, flower.branch, flower.cone.apex);
+        Self { flower: Some(index), is_flower: true, ..of }
     }
 
     /// That of an organ, which is the first of its name.
@@ -77,11 +77,16 @@ impl OrganGroup {
         let (flower, base) = (organ.flower, organ.base());
         // A petal stands on its flower alone.
         let branch = organ.branch.filter(|_| flower.is_none());
+        Self { flower, ..Self::on_stalk(plant, name, branch, base) }
+    }
+
+    /// One that stands there on a branch, or on what carries that if it is its stalk.
+    fn on_stalk(plant: &Plant, name: PartName, branch: Option<usize>, base: Vec3) -> Self {
         let stalk = branch.filter(|branch| is_stalk(plant, *branch, base));
         let foot = stalk.and_then(|stalk| plant.branches[stalk].points.first());
         let on = stalk.map_or(branch, |stalk| plant.branches[stalk].parent);
         let base = foot.copied().unwrap_or(base);
-        Self { name, organs: Vec::new(), flower, is_flower: false, stalk, on, base }
+        Self { name, organs: Vec::new(), flower: None, is_flower: false, stalk, on, base }
     }
 
     /// What a new pose of it starts from.
@@ -195,6 +200,9 @@ fn take_away<'a>(plant: &mut Plant, groups: impl Iterator<Item = &'a OrganGroup>
         group.stalk.into_iter().for_each(|stalk| branches[stalk] = false);
     }
     if is_any {
+        // Thorns of a stalk go with it.
+        let stands = |organ: &Organ| organ.branch.is_none_or(|branch| branches[branch]);
+        organs.iter_mut().zip(&plant.organs).for_each(|(stays, organ)| *stays &= stands(organ));
         plant.keep_organs(&organs, &flowers);
         plant.keep_branches(&branches);
     }
