@@ -85,6 +85,13 @@ for drawing in brushed brushed_willow; do
 done
 python3 scripts/sheet.py 4 docs/images/brushes.png "$brushes"/*.png
 rm -rf "$brushes"
+# A drawn flower, and the same with leaves and a copy of it painted on its stem and itself turned, from front and side.
+painted=$(mktemp -d)
+"$program" render assets/sketches/balloon_flower.penstemon --size 400x480 -o "$painted/1.png"
+"$program" render tests/fixtures/painted_flower.penstemon --size 400x480 -o "$painted/2.png"
+"$program" render tests/fixtures/painted_flower.penstemon --view side --size 400x480 -o "$painted/3.png"
+python3 scripts/sheet.py 3 docs/images/painted_flower.png "$painted"/*.png
+rm -rf "$painted"
 # Drawn crowns, their plants from front and side, and from the side without learned depth.
 sides=$(mktemp -d)
 row() {

@@ -155,3 +155,14 @@ fn a_leaf_that_grew_is_found_again_where_others_grew() {
         "it stands on its twig"
     );
 }
+
+#[test]
+fn a_flower_that_was_turned_in_the_window_stays_turned() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/painted_flower.penstemon");
+    let sketch = sketch::read(&path).unwrap().0;
+    let (turned, still) = (built(&sketch), built(&Sketch { part_poses: [].into(), ..sketch.clone() }));
+    assert_eq!(turned.remarks, []);
+    let axis = |built: &Built| built.plant.flowers[0].cone.axis;
+    assert!(axis(&turned).angle_between(axis(&still)) > 0.02, "the names of drawn flowers are kept in files");
+    assert_eq!(turned.plant.flowers[1..], still.plant.flowers[1..]);
+}

@@ -2,15 +2,20 @@
 
 use crate::plant::{Blade, GrownId, Organ, OrganKind, Origin, Plant, Shape, Template, TemplateId, Templates};
 use crate::random::{Choice, mix, unit};
+use glam::Vec3;
 
 /// Most forms of leaves that are taken up.
 const FORMS: usize = 32;
+/// Most drawn leaves that are looked at.
+const DRAWN: usize = 1000;
 
 /// The leaves of a plant, in general.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct OwnLeaves {
     /// Median length, metres; none of a plant without leaves.
     pub(super) length: Option<f32>,
+    /// Where drawn leaves stand and how long they are, metres.
+    drawn: Vec<(Vec3, f32)>,
     /// What they are copies of, each with how much wider than long it is made.
     forms: Vec<(Template, f32)>,
 }
@@ -20,13 +25,18 @@ impl OwnLeaves {
     pub(super) fn of(plant: &Plant) -> Self {
         let is_leaf = |organ: &&Organ| organ.kind() == OrganKind::Leaf && organ.flower.is_none();
         let leaves = plant.organs.iter().filter(is_leaf).filter_map(|organ| match &organ.shape {
-            Shape::Blade(blade) => Some(blade),
+            Shape::Blade(blade) => Some((organ.origin, blade)),
             _ => None,
         });
         let (mut lengths, mut known, mut forms) = (Vec::new(), Vec::<TemplateId>::new(), Vec::new());
-        for Blade { template, u, v, .. } in leaves {
+        let mut drawn = Vec::new();
+        for (origin, Blade { template, base, u, v, .. }) in leaves {
             let form = &plant.templates[*template];
-            lengths.push(v.length() * form.length());
+            let length = v.length() * form.length();
+            lengths.push(length);
+            if origin.is_drawn() && drawn.len() < DRAWN {
+                drawn.push((*base, length));
+            }
             if forms.len() < FORMS && v.length() > 0.0 && !known.contains(template) {
                 known.push(*template);
                 // Of a leaf that was drawn there was one; now there are many, and nobody looks at each.
@@ -34,7 +44,15 @@ impl OwnLeaves {
             }
         }
         lengths.sort_unstable_by(f32::total_cmp);
-        Self { length: lengths.get(lengths.len() / 2).copied(), forms }
+        Self { length: lengths.get(lengths.len() / 2).copied(), drawn, forms }
+    }
+
+    /// Length of the drawn leaf that is nearest to a place, metres; of a plant without such the median of all.
+    pub(super) fn length_at(&self, at: Vec3) -> Option<f32> {
+        let by_distance = |a: &&(Vec3, f32), b: &&(Vec3, f32)| {
+            a.0.distance_squared(at).total_cmp(&b.0.distance_squared(at))
+        };
+        self.drawn.iter().min_by(by_distance).map(|(_, length)| *length).or(self.length)
     }
 
     /// Makes new leaves, copies of the usual templates, copies of these forms instead, each as long as it is; gives the templates

@@ -10,7 +10,7 @@ use crate::plant::{Branch, FlowerBud, GrownId, Motion, Origin, Plant, Provenance
 use crate::random::{Choice, mix};
 use glam::{IVec3, Quat, Vec3};
 use std::collections::HashMap;
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 
 /// Steps from flower to flower at density 1, in sizes of a flower.
 const STEP: f32 = 2.4;
@@ -18,8 +18,9 @@ const STEP: f32 = 2.4;
 const STALK: (f32, f32) = (0.8, 0.045);
 /// Share of its branch's radius that a stalk may have.
 const NARROWER: f32 = 0.8;
-/// Divergence of flowers along a branch, radians: the golden angle.
+/// Between sides that are tried, radians: the golden angle; and how far flowers leave a side by chance.
 const GOLDEN_RAD: f32 = 2.399_963;
+const SPREAD_RAD: f32 = 0.6;
 /// How stalks leave: the weights of the way along the branch, and of up.
 const LEAVING: (f32, f32) = (0.5, 0.5);
 /// Least distance between two flowers, in sizes of one.
@@ -107,12 +108,13 @@ impl Furnish<'_> {
             }
         }
         for place in places(&to.plant, self.swept, STEP * size / self.density) {
-            let mut sides = (1..=SIDES).map(|side| stalk(&to.plant, &place, place.step + side, size));
+            let name = name(place.branch, place.step.into());
+            let mut sides =
+                (0..SIDES).map(|side| stalk(&to.plant, &place, turn(place.step, side, name), size));
             let free = sides.find(|stalk| stalk.points.last().is_some_and(|end| room.take(*end)));
             let Some(stalk) = free.filter(|_| seats.len() < self.most) else { continue };
             let [.., before, at] = stalk.points.as_slice() else { continue };
             let (at, axis) = (*at, (*at - *before).normalize_or(place.way));
-            let name = name(place.branch, place.step.into());
             seats.push(Seat { branch: to.plant.branches.len(), at, axis, name });
             to.plant.branches.push(stalk);
         }
@@ -131,10 +133,20 @@ fn drawn(plant: &Plant) -> Vec<Drawn> {
     drawn
 }
 
-/// The stalk of a flower to a side of a branch, of which each is another golden angle about it.
-fn stalk(plant: &Plant, place: &Place, side: u32, size: f32) -> Branch {
+/// How far about its branch a flower leaves it from the plane of the sheet, radians: to the left and the right in turn, and where there is
+/// no room to other sides.
+fn turn(step: u32, side: u32, name: u64) -> f32 {
+    let turn = match side {
+        0 | 1 => PI * ((step + side) % 2) as f32,
+        side => GOLDEN_RAD * side as f32,
+    };
+    turn + SPREAD_RAD * Choice::LEAF_AROUND.signed(name)
+}
+
+/// The stalk of a flower to a side of a branch.
+fn stalk(plant: &Plant, place: &Place, turn: f32, size: f32) -> Branch {
     let parent = &plant.branches[place.branch];
-    let around = place.across(GOLDEN_RAD * side as f32);
+    let around = place.across(turn);
     let leaving = (around + place.way * LEAVING.0).normalize_or(around);
     let ending = (leaving + Vec3::Y * LEAVING.1).normalize_or(leaving);
     let (half, radius) = (0.5 * STALK.0 * size, (STALK.1 * size).min(NARROWER * place.radius));

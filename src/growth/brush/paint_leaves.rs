@@ -1,7 +1,7 @@
 //! Leaves painted on the wood that a brush sweeps.
 //!
 //! They stand as leaves of the species do, spirally, to the left and the right or in pairs, and are like those that the plant has
-//! already, drawn ones too. Each is known by its branch and its place there.
+//! already, drawn ones too; each is as long as the drawn leaf that is nearest. Each is known by its branch and its place there.
 
 use super::own_leaves::OwnLeaves;
 use super::places::{Place, places};
@@ -45,6 +45,7 @@ impl Furnish<'_> {
             (0..pair).map(move |k| (*place, k, mix(name, k)))
         });
         let leaf = |(place, k, name): (Place, u64, u64)| {
+            let pose = LeafPose { length: own.length_at(place.at).unwrap_or(pose.length), ..pose };
             let around =
                 place.across(turn(arrangement, place.step, k) + 0.4 * Choice::LEAF_AROUND.signed(name));
             Organ {
