@@ -52,16 +52,13 @@ pub(super) fn brush(
         let radius = brush.radius * world.scale;
         let seed = mix(Choice::BRUSH.key(sketch.seed), stroke.id);
         if let Tool::LeafBrush | Tool::FlowerBrush = stroke.tool {
-            let most = limits(plant);
-            let furnish =
-                Furnish { swept: &swept, density: brush.density, habit: &habit, seed, most: most.leaves };
-            remarks.extend(
-                match stroke.tool {
-                    Tool::LeafBrush => leaves(furnish, plant, provenance),
-                    _ => flowers(furnish, plant, provenance, flower_of(species, params, &habit)),
-                }
-                .map(remark),
-            );
+            let most = limits(plant).leaves;
+            let furnish = Furnish { swept: &swept, density: brush.density, habit: &habit, seed, most };
+            let odd = match stroke.tool {
+                Tool::LeafBrush => leaves(furnish, plant, provenance),
+                _ => flowers(furnish, plant, provenance, flower_of(species, params, &habit)),
+            };
+            remarks.extend(odd.map(remark));
             continue;
         }
         let obstacles = obstacles.clone();

@@ -6,9 +6,12 @@
 use super::Editor;
 use crate::model::pick::Element;
 use crate::modelling::{OrganGroup, PartFrame, PartNames};
-use crate::plant::{Branch, Origin};
+use crate::plant::{Branch, Origin, Shape};
 use crate::sketch::PartName;
 use glam::Vec3;
+
+/// Length from which an organ is seen large, points.
+const LARGE: f64 = 48.0;
 
 /// A part that has a name.
 pub(super) struct Posable<'a> {
@@ -66,13 +69,21 @@ impl Editor {
         parts
     }
 
-    /// Whether what is hit is an organ that somebody drew, or one of a drawn flower: a drag on it means the organ, and not what
-    /// carries it as on the leaves of a crown.
-    pub(super) fn is_drawn_organ(&self, hit: Element) -> bool {
+    /// Whether a drag on what is hit means the organ itself: one that somebody drew, or that is seen large, and not what carries
+    /// it as on the leaves of a crown.
+    pub(super) fn is_organ_meant(&self, hit: Element) -> bool {
         let (Element::Organ(index), Some(built)) = (hit, self.built()) else { return false };
         let organ = &built.plant.organs[index];
         let petals = || built.plant.organs.iter().filter(|petal| petal.flower == organ.flower);
-        organ.origin.is_drawn() || (organ.flower.is_some() && petals().any(|petal| petal.origin.is_drawn()))
+        let is_drawn = organ.origin.is_drawn()
+            || (organ.flower.is_some() && petals().any(|petal| petal.origin.is_drawn()));
+        let length = match (organ.flower, &organ.shape) {
+            (Some(flower), _) => built.plant.flowers[flower].reach,
+            (None, Shape::Blade(blade)) => blade.v.length() * built.plant.templates[blade.template].length(),
+            (None, _) => 0.0,
+        };
+        let seen = self.seen_length(organ.base(), length).unwrap_or(0.0);
+        is_drawn || seen >= LARGE * self.plant.pixels_per_point()
     }
 
     /// The strokes that drew a part: those of the petals of a flower; none of what grew.

@@ -5,7 +5,7 @@
 //! part allows. Bent, a branch stays at its base and curves evenly to its end. Moved, the base of a part slides along what it
 //! grows on, and what stands on the ground over that. One drag is one step to undo. A tap chooses a part, another tap on it
 //! what carries it; a drag on what is chosen, or on what that carries, moves all of it. So a bough is moved from any of
-//! its twigs, and from its leaves. Leaves and flowers that were drawn are dragged themselves.
+//! its twigs, and from its leaves. Leaves and flowers that were drawn, or that are seen large, are dragged themselves.
 //!
 //! A ring around its base turns a part precisely (`pose_ring.rs`).
 //!
@@ -126,8 +126,8 @@ impl Editor {
         self.posing.hold.is_some()
     }
 
-    /// What is held: what is chosen if that is hit or carries what is hit, or else a drawn organ, drawn wood as near as a finger
-    /// is thick, or the twig that is hit or whose leaf is.
+    /// What is held: what is chosen if that is hit or carries what is hit, or else an organ that is drawn or seen large, drawn wood as
+    /// near as a finger is thick, or the twig that is hit or whose leaf is.
     fn part_hold(&self, at: DVec2) -> Option<PartHold> {
         let ray = self.plant.ray(self.plant.place(at))?;
         let built = self.built()?;
@@ -136,7 +136,7 @@ impl Editor {
         if let Some(chosen) = self.posing.last.filter(|chosen| parts.contains(chosen)) {
             return self.hold(chosen, grip);
         }
-        if self.is_drawn_organ(hit.element) {
+        if self.is_organ_meant(hit.element) {
             return self.hold(*parts.first()?, grip);
         }
         let names = PartNames::new(&built.provenance);
