@@ -12,8 +12,8 @@
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
-use crate::growth::habit::Arrangement;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
+use crate::growth::habit::{Arrangement, GOLDEN_RAD};
 use crate::growth::simulation::Simulation;
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;
@@ -26,8 +26,6 @@ use glam::{Quat, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::{FRAC_PI_2, PI};
 
-/// Divergence of leaves that stand singly all around, radians: the golden angle.
-const GOLDEN_RAD: f32 = 2.399_963;
 /// Widths of the outlines that leaves are copies of, as shares of the species'.
 const WIDTHS: [f32; 3] = [0.9, 1.0, 1.12];
 /// Nodes at the end of a twig that always have leaves.

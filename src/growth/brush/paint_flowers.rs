@@ -6,6 +6,7 @@
 use super::Furnish;
 use super::places::{Place, places};
 use crate::growth::at_age::{PlantAtAge, wood_names};
+use crate::growth::habit::GOLDEN_RAD;
 use crate::plant::{Branch, FlowerBud, GrownId, Motion, Origin, Plant, Provenance};
 use crate::random::{Choice, mix};
 use glam::{IVec3, Quat, Vec3};
@@ -18,8 +19,7 @@ const STEP: f32 = 2.4;
 const STALK: (f32, f32) = (0.8, 0.045);
 /// Share of its branch's radius that a stalk may have.
 const NARROWER: f32 = 0.8;
-/// Between sides that are tried, radians: the golden angle; and how far flowers leave a side by chance.
-const GOLDEN_RAD: f32 = 2.399_963;
+/// How far flowers leave a side by chance, radians.
 const SPREAD_RAD: f32 = 0.6;
 /// How stalks leave: the weights of the way along the branch, and of up.
 const LEAVING: (f32, f32) = (0.5, 0.5);
@@ -36,23 +36,23 @@ struct Drawn {
     organs: Vec<usize>,
 }
 
-/// Places that flowers have, in cells as large as one, so that no other is put into them.
+/// Places that flowers have, in cells as wide as two of them stand apart: one that is too near is in a cell beside.
 struct Room {
-    size: f32,
+    apart: f32,
     taken: HashMap<IVec3, Vec<Vec3>>,
 }
 
 impl Room {
     fn cell(&self, at: Vec3) -> IVec3 {
-        (at / self.size).floor().as_ivec3()
+        (at / self.apart).floor().as_ivec3()
     }
 
     /// Takes a place, unless one so near is taken; whether it was free.
     fn take(&mut self, at: Vec3) -> bool {
         let cell = self.cell(at);
-        let around = (0..27).map(|k| cell + IVec3::new(k % 3, k / 3 % 3, k / 9) - IVec3::ONE);
+        let around = (0..27).map(|k| cell.saturating_add(IVec3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1)));
         let mut near = around.filter_map(|cell| self.taken.get(&cell)).flatten();
-        let is_free = near.all(|other| other.distance(at) >= APART * self.size);
+        let is_free = near.all(|other| other.distance(at) >= self.apart);
         if is_free {
             self.taken.entry(cell).or_default().push(at);
         }
@@ -94,7 +94,7 @@ impl Furnish<'_> {
         let names = wood_names::names_of_wood(&to.plant.branches, provenance);
         let name =
             |branch: usize, step: u64| mix(mix(Choice::NAME_OF_BUD.key(self.seed), names[branch]), step);
-        let mut room = Room { size, taken: HashMap::new() };
+        let mut room = Room { apart: APART * size, taken: HashMap::new() };
         let of_flowers = to.plant.flowers.iter().map(|flower| flower.cone.apex);
         of_flowers.chain(to.buds.buds.iter().map(|bud| bud.base)).for_each(|at| {
             room.take(at);

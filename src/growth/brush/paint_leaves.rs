@@ -7,7 +7,7 @@ use super::own_leaves::OwnLeaves;
 use super::places::{Place, places};
 use super::{Furnish, PAINTED_AGE};
 use crate::growth::at_age::{PlantAtAge, wood_names};
-use crate::growth::habit::{Arrangement, LeafPose, leaf};
+use crate::growth::habit::{Arrangement, GOLDEN_RAD, LeafPose, leaf};
 use crate::plant::{
     Blade, BladeForm, Detail, GrownId, Organ, OrganPart, Origin, Provenance, RestSurface, Role, Shape,
     Template, TemplateId, Templates,
@@ -18,8 +18,6 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Steps from leaf to leaf at density 1, in lengths of a leaf.
 const STEP: f32 = 0.4;
-/// Divergence of leaves that stand singly all around, radians: the golden angle.
-const GOLDEN_RAD: f32 = 2.399_963;
 /// How far from the axis a leaf begins, as a share of the branch's radius.
 const FOOT: f32 = 0.7;
 
