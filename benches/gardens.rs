@@ -8,14 +8,15 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use glam::Vec2;
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
 use penstemon::garden::ground::Ground;
-use penstemon::garden::stock::triangles_of_each;
-use penstemon::garden::{Area, Form, Garden, Grower, Kind, Plan, Stock, TileSet, Variation};
-use penstemon::pipeline;
+use penstemon::garden::{Area, Garden, Kind, Plan, Stock, TileSet, Variation};
+use penstemon::pipeline::{self, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
+use penstemon::sketch::{self, GardenPoint, GardenStroke, GardenTool, Sketch};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;
 use std::hint::black_box;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The program's own.
 #[global_allocator]
@@ -74,9 +75,9 @@ fn roses(c: &mut Criterion) {
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
         let form = Form::Whole;
         let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
-        grower.fit(triangles_of_each(places.len(), 16));
+        grower.fit(pipeline::triangles_of_each(places.len(), 16));
         let mut stock = Stock::default();
-        stock.add("rose", &grower, 16, 0.0);
+        stock.add("rose", grower.grow_all(16), 0.0);
         let garden = Garden { stock, places, ground: None };
         let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
         let (provenance, instanced) = (Provenance::default(), garden.instanced());
@@ -93,5 +94,34 @@ fn roses(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, tiles, places, roses);
+/// The garden of a drawing while the pen paints on: all of it but the new bed is kept.
+fn painted(c: &mut Criterion) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/painted_garden.penstemon");
+    let sketch = sketch::read(&path).unwrap().0;
+    let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
+    let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
+    let mut group = c.benchmark_group("painted garden");
+    group.sample_size(10);
+    let with = |samples: u32| {
+        let point = |k: u32| GardenPoint { at: Vec2::new(-3.0 + 0.02 * k as f32, 4.8), pressure: 0.5 };
+        let points = (0..=samples).map(point).collect();
+        let bed = GardenStroke { tool: GardenTool::Plants(None), radius: 0.3, density: 1.0, points };
+        Sketch { garden: sketch.garden.iter().cloned().chain([Arc::new(bed)]).collect(), ..sketch.clone() }
+    };
+    let mut cache = pipeline::Cache::default();
+    let mut samples = 0;
+    group.bench_function("one more sample", |b| {
+        b.iter(|| {
+            samples = (samples + 1) % 300;
+            let sketch = with(samples);
+            black_box(pipeline::build_with(&mut cache, &sketch, &species, &params, &|| false).unwrap())
+        });
+    });
+    group.bench_function("from nothing", |b| {
+        b.iter(|| black_box(pipeline::build(&sketch, &species, &params)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, tiles, places, roses, painted);
 criterion_main!(benches);

@@ -103,6 +103,19 @@ pub struct GardenBudget {
 }
 
 impl GardenBudget {
+    /// Plants of a garden that is painted: it is laid out anew with every sample of the pen.
+    pub const PAINTED_PLACES: usize = 50_000;
+    /// Tiles of the box around its beds that are looked at for each of its kinds.
+    pub const PAINTED_BOX: usize = 500_000;
+    /// Tiles that are looked through for each of its kinds.
+    pub const PAINTED_TILES: usize = 5_000;
+    /// Distances of a spot from a piece of a stroke that are found for each of its kinds.
+    pub const PAINTED_EFFORT: usize = 1_000_000_000;
+    /// Triangles of all its plants.
+    pub const PAINTED_TRIANGLES: usize = 3_000_000;
+    /// Cells of its ground.
+    pub const PAINTED_CELLS: usize = 16_000;
+
     /// Of any garden.
     pub const GARDEN: Self = Self {
         places: 5_000_000,

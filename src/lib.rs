@@ -35,8 +35,8 @@
 //! | [`model`] | plant to meshes |
 //! | [`cards`] | foliage as pictures |
 //! | [`photo`] | photographs of petals, leaves and bark to outlines and textures, of whole plants to crowns to grow into |
-//! | [`pipeline`] | all of these in a row |
 //! | [`garden`] | places of plants by the thousand, and copies of a few plants there |
+//! | [`pipeline`] | all of these in a row |
 //! | [`formats`] | model files, written and read: OBJ, glTF, JSON |
 //! | [`render`] | pictures |
 //! | [`app`] | the window |

@@ -5,7 +5,7 @@
 
 use penstemon::formats::read;
 use penstemon::formats::textures::fetch;
-use penstemon::formats::write;
+use penstemon::formats::write::{self, Surfaces};
 use penstemon::input::Sources;
 use penstemon::model::{Levels, Model, Part, PartKind};
 use penstemon::pipeline::{self, Built, Level, Params, Seed};
@@ -128,9 +128,9 @@ fn a_file_of_levels_shows_the_finest_and_names_the_others() {
     let Levels { model, of_specimen } = Levels::of(models);
     let plant = (&apple.plant, &apple.provenance);
     let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
-    let levels = (&model, &of_specimen[..]);
+    let levels = Surfaces { level_of_specimen: &of_specimen, ..(&model).into() };
     let paths = [path.clone()];
-    write::export_levels(&paths, levels, plant, &built_in, None, &Sources::default()).unwrap();
+    write::export_all(&paths, levels, plant, &built_in, None, &Sources::default()).unwrap();
     let document = document(&path);
     let nodes = document["nodes"].as_array().unwrap();
     let name = |index: &Value| nodes[index.as_u64().unwrap() as usize]["name"].as_str().unwrap();

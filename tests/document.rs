@@ -10,9 +10,9 @@ use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
 use penstemon::sketch::settings::Settings;
 use penstemon::sketch::{
-    Brush, Canvas, Change, Maker, Picture, PlacedPlant, Reference, SeedOf, Sketch, Step, Stroke,
-    StrokeChange, StrokePoint, TextureChoice, Textures, Tool, editable_from_bytes, from_bytes, json, svg,
-    textures,
+    Brush, Canvas, Change, GardenPoint, GardenStroke, GardenTool, Maker, Picture, PlacedPlant, Reference,
+    SeedOf, Sketch, Step, Stroke, StrokeChange, StrokePoint, TextureChoice, Textures, Tool,
+    editable_from_bytes, from_bytes, json, svg, textures,
 };
 use proptest::prelude::*;
 use serde_json::Map;
@@ -65,6 +65,10 @@ fn change() -> impl Strategy<Value = Change> {
         let maker = Maker::Growth(SeedOf { species: "oak".to_owned(), seed: 1, age: Some(age) });
         PlacedPlant { maker, foot: vec2(age, 0.0), height: None }
     };
+    let tap = |x: f32| {
+        let points = vec![GardenPoint { at: vec2(x, -x), pressure: 0.5 }];
+        Arc::new(GardenStroke { tool: GardenTool::Plants(None), radius: 0.5, density: 1.0, points })
+    };
     let params = |value: f64| Map::from_iter([("depth.spread".to_owned(), value.into())]);
     prop_oneof![
         4 => prop::collection::vec(stroke_change(), 0..5).prop_map(Change::strokes),
@@ -75,6 +79,9 @@ fn change() -> impl Strategy<Value = Change> {
         1 => prop::option::of(0.0_f32..9.0).prop_map(move |at| Change::reference(at.map(reference))),
         1 => prop::collection::vec(0.0_f32..9.0, 0..3).prop_map(move |ages| {
             Change::plants(ages.into_iter().map(plant).collect())
+        }),
+        1 => prop::collection::vec(0.0_f32..9.0, 0..3).prop_map(move |places| {
+            Change::garden(places.into_iter().map(tap).collect())
         }),
         1 => (1.0_f32..99.0).prop_map(|width| {
             Settings { canvas: Some(Canvas { width, height: 7.0 }), ..Settings::default() }.into()

@@ -3,10 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
 use penstemon::budget::GardenBudget;
-use penstemon::formats::write::{InstanceForm, Scene, format_of};
-use penstemon::garden::{Form, Garden, GardenSpec, Grower, Stock, TileSet, surface};
-use penstemon::pipeline;
+use penstemon::formats::write::{self, InstanceForm, Scene, Surfaces, format_of};
+use penstemon::garden::{Garden, GardenSpec, Stock, TileSet, surface};
+use penstemon::input::Sources;
+use penstemon::pipeline::{self, Built, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
+use penstemon::sketch::{self, GardenTool, Sketch};
 use penstemon::species::Species;
 use std::borrow::Cow;
 use std::path::Path;
@@ -29,7 +31,7 @@ fn garden_of(text: &str, triangles: u32, form: Form) -> Garden {
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
         let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
         grower.fit(triangles);
-        stock.add(kind.origin.name(), &grower, of_plan.variants, 0.0);
+        stock.add(kind.origin.name(), grower.grow_all(of_plan.variants), 0.0);
     }
     let places = plan.places(&tiles).unwrap();
     Garden { stock, places, ground: surface::slab(&plan, spec.ground.cover) }
@@ -76,7 +78,7 @@ fn what_is_written_comes_back_with_every_plant() {
 #[test]
 fn a_file_of_ten_thousand_roses_has_at_most_forty_megabytes() {
     let text = "area = \"60x40\"\ndensity = 4.3\n[[plants]]\nspecies = \"rose\"\n";
-    let garden = garden(text, penstemon::garden::stock::triangles_of_each(10_000, 16));
+    let garden = garden(text, pipeline::triangles_of_each(10_000, 16));
     assert!((10_000..11_000).contains(&garden.places.len()), "{}", garden.places.len());
     assert_eq!(garden.stock.individual_count(), 16);
     assert!(garden.stock.triangle_count() < GardenBudget::GARDEN.variant_triangles);
@@ -102,4 +104,66 @@ fn gardens_of_cards_and_of_pictures_have_few_triangles_and_come_back() {
         assert_eq!(back.model.triangle_count(), garden.triangle_count(), "{form:?}");
         assert!(back.model.materials.iter().any(|material| material.cut_out), "{form:?}");
     }
+}
+
+/// The drawing whose garden is on the README's picture, with another garden where one is given.
+fn painted(change: impl FnOnce(&mut Sketch)) -> (Sketch, Built) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/painted_garden.penstemon");
+    let mut sketch = sketch::read(&path).unwrap().0;
+    change(&mut sketch);
+    let species = pipeline::species_of(&sketch, Path::new("")).unwrap();
+    let params = pipeline::params_of(&sketch, &species, &[]).unwrap();
+    let built = pipeline::build(&sketch, &species, &params);
+    (sketch, built)
+}
+
+#[test]
+fn a_painted_garden_has_what_was_painted_on_any_number_of_threads() {
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| painted(|_| ()).1)
+    };
+    let built = on(1);
+    assert_eq!(pipeline::seen(&built), pipeline::seen(&on(2)));
+    assert_eq!(built.remarks, []);
+    let garden = built.garden.unwrap();
+    let names: Vec<&str> = garden.stock.kinds.iter().map(|kind| kind.name.as_str()).collect();
+    assert_eq!(names, ["drawn", "lavender", "peony", "marigold", "rose", "box"]);
+    let counts = garden.plants_of_each_kind();
+    assert!(counts.iter().all(|count| *count > 1) && counts[5] == 2, "two shrubs were tapped: {counts:?}");
+    assert!(garden.triangle_count() <= GardenBudget::PAINTED_TRIANGLES + 100_000);
+    // The box stands alone and is fine, lavender stands by the hundred.
+    let of = |kind: usize| garden.stock.kinds[kind].individuals[0].triangle_count();
+    assert!(of(5) > 10_000 && of(1) < 2000, "{} {}", of(5), of(1));
+}
+
+#[test]
+fn a_painted_garden_leaves_with_its_plant() {
+    let few = |sketch: &mut Sketch| {
+        let bed =
+            sketch.garden.iter().filter(|stroke| stroke.tool != GardenTool::Plants(Some("lavender".into())));
+        sketch.garden = bed.cloned().collect();
+        sketch.params.insert("garden.triangles".into(), 4000.into());
+    };
+    let (_, built) = painted(few);
+    let garden = built.garden.as_deref().unwrap();
+    let all = built.model.triangle_count() + garden.triangle_count();
+    let folder = tempfile::tempdir().unwrap();
+    let [glb, obj] = ["a.glb", "a.obj"].map(|name| folder.path().join(name));
+    let surfaces = Surfaces { garden: Some(garden), ..(&built.model).into() };
+    let built_in = |name: &str| penstemon::species::builtin_texture(name).map(Cow::Borrowed);
+    let plant = (&built.plant, &built.provenance);
+    let paths = [glb.clone(), obj.clone()];
+    write::export_all(&paths, surfaces, plant, &built_in, None, &Sources::default()).unwrap();
+    for path in [&glb, &obj] {
+        let back = penstemon::formats::read::load(path).unwrap();
+        assert_eq!(back.model.triangle_count(), all, "{}", path.display());
+        let (found, made) = (back.model.bounds().unwrap(), pipeline::seen(&built).bounds().unwrap());
+        assert!(found.0.distance(made.0) < 1e-3 && found.1.distance(made.1) < 1e-3, "{found:?} {made:?}");
+    }
+    let size = |path: &Path| std::fs::metadata(path).unwrap().len();
+    assert!(size(&glb) < size(&obj) / 3, "plants are copies: {} and {} bytes", size(&glb), size(&obj));
+    let alone = [folder.path().join("b.glb")];
+    write::export_all(&alone, &built.model, plant, &built_in, None, &Sources::default()).unwrap();
+    assert!(size(&alone[0]) < size(&glb));
 }

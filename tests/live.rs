@@ -11,7 +11,8 @@ use penstemon::plant::{GrownId, OrganKind, Origin, Shape, Texture};
 use penstemon::sketch::part_poses::posed;
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::{
-    self, Brush, Maker, PartName, PartPose, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool,
+    self, Brush, GardenPoint, GardenStroke, GardenTool, Maker, PartName, PartPose, PetalShape, PlacedPlant,
+    SeedOf, Sketch, Stroke, Tool,
 };
 use penstemon::species::Species;
 use proptest::prelude::*;
@@ -51,6 +52,9 @@ fn shared(before: &Model, after: &Model) -> usize {
 fn edit(sketch: &mut Sketch, (what, which, by): (u8, usize, f32)) {
     if (8..11).contains(&what) {
         return edit_plants(&mut sketch.plants, (what, which, by));
+    }
+    if what >= 16 {
+        return edit_garden(sketch, (which, by));
     }
     if what >= 13 {
         return edit_space(sketch, (what, which, by));
@@ -102,6 +106,22 @@ fn edit_plants(plants: &mut Vec<PlacedPlant>, (what, which, by): (u8, usize, f32
             plants[which % count] = plant;
         }
     }
+}
+
+/// Paints on the ground around the plant, or takes back what was painted first.
+fn edit_garden(sketch: &mut Sketch, (which, by): (usize, f32)) {
+    let tool = match which % 6 {
+        0 => GardenTool::Path,
+        1 => GardenTool::Clear,
+        2 => GardenTool::Plants(Some("daisy".into())),
+        3 => GardenTool::Plants(Some("no such plant".into())),
+        _ => GardenTool::Plants(None),
+    };
+    let point = |x: f32, y: f32| GardenPoint { at: Vec2::new(x, y), pressure: 0.5 };
+    let points = vec![point(by / 20.0, 0.4), point(by / 20.0, by / 30.0)];
+    let new = Arc::new(GardenStroke { tool, radius: 0.3, density: 1.0, points });
+    let skipped = usize::from(sketch.garden.len() > 2);
+    sketch.garden = sketch.garden.iter().skip(skipped).cloned().chain([new]).collect();
 }
 
 /// Moves a control point of the petals that some strokes draw, if they are petals.
@@ -177,6 +197,8 @@ fn assert_same(live: &Built, fresh: &Built) {
     assert_eq!(ages(live), ages(fresh));
     assert_eq!(live.plant, fresh.plant);
     assert_eq!(live.model, fresh.model);
+    let whole = |built: &Built| pipeline::seen(built).into_owned();
+    assert_eq!(whole(live), whole(fresh), "the garden is the same");
 }
 
 proptest! {
@@ -185,7 +207,7 @@ proptest! {
     #[test]
     fn edits_give_the_plant_that_a_fresh_build_gives(
         seed: u64,
-        edits in prop::collection::vec((0u8..16, 0usize..1000, -80.0f32..80.0), 1..8),
+        edits in prop::collection::vec((0u8..17, 0usize..1000, -80.0f32..80.0), 1..8),
     ) {
         let mut cache = Cache::default();
         let mut sketch = drawings::scribble(seed, 12);

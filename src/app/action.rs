@@ -7,6 +7,7 @@ use super::brush_settings::BrushSettings;
 use super::canvas_tool::{CanvasTool, Mirror};
 use super::dialog::{Dialog, PathPurpose};
 use super::export_choice::ExportChoice;
+use super::garden_brush::GardenBrush;
 use super::messages::Language;
 use super::pen_settings::PenSettings;
 use super::plant_search::PlantMark;
@@ -122,6 +123,10 @@ pub enum Action {
     TakeBrush(Option<Tool>),
     /// Set the brushes.
     SetBrush(BrushSettings),
+    /// Take up the tool that paints a garden on the ground, or lay it down.
+    PaintGarden(bool),
+    /// Set its brush.
+    SetGardenBrush(GardenBrush),
     /// Take up the tool that turns, bends and moves parts of the plant, or lay it down.
     PoseParts(bool),
     /// What a drag with it does.

@@ -23,6 +23,8 @@ pub enum Dialog {
     },
     /// The species of a plant beside the drawn one: of a new one, or of that at this place in the list.
     PlantSpecies(Option<usize>),
+    /// The species of plants that are painted in the garden.
+    GardenSpecies,
     /// Pen and tablet.
     Pen,
     /// What the program is, first steps and keys.
@@ -39,6 +41,7 @@ impl Dialog {
             Self::Path(_) => "path",
             Self::Replace { .. } => "replace",
             Self::PlantSpecies(_) => "plant species",
+            Self::GardenSpecies => "garden species",
             Self::Pen => "pen",
             Self::About => "about",
         }

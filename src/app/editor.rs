@@ -39,6 +39,9 @@ mod export;
 mod exporting;
 mod files;
 mod find_plant;
+mod garden;
+mod garden_marks;
+mod garden_tool;
 mod interface;
 mod keys;
 mod live_plant;
@@ -96,6 +99,7 @@ use beside_state::Beside;
 use brush_tool::{BrushStroke, BrushTool};
 use dialogs::Dialogs;
 use disk::Disk;
+use garden_tool::GardenPainting;
 use live_plant::{Collected, LivePlant, UnderPen};
 use open_drawing::OpenDrawing;
 use pens::Pens;
@@ -131,6 +135,7 @@ pub struct Editor {
     petals: PetalTool,
     space: SpaceTool,
     brush: BrushTool,
+    garden: GardenPainting,
     posing: PoseTool,
     search: PlantSearch,
     pens: Pens,
@@ -145,6 +150,7 @@ impl Editor {
         match self.live.collect(self.prefs.messages()) {
             Some(Collected::Plant(bounds)) => {
                 self.plant.set_bounds(bounds);
+                self.show_opened_garden();
                 self.live.read_species(self.drawing.sketch(), self.drawing.folder());
                 self.updates.plant_changed();
             }
@@ -173,7 +179,8 @@ impl Editor {
         let growing = in_space.map(SpaceStroke::under_pen).or_else(painted);
         let growing = growing.or_else(|| self.canvas.growing().map(UnderPen::of));
         let drawn = (&self.canvas, growing);
-        self.live.submit(self.drawing.sketch(), self.drawing.folder(), drawn, overlay);
+        let garden = self.garden_now();
+        self.live.submit((self.drawing.sketch(), garden), self.drawing.folder(), drawn, overlay);
     }
 
     /// Applies a change as one step: to the document, the journal, the canvas and the plant.
@@ -301,6 +308,7 @@ impl Editor {
         }
         self.end_in_space();
         self.end_painting();
+        self.end_in_garden();
         self.finish();
         self.drawing.leave_journal();
     }

@@ -52,6 +52,8 @@ pub struct ExportChoice {
     pub flowers: bool,
     /// With pot, thorns and fruits.
     pub extras: bool,
+    /// With the garden that is painted around it.
+    pub garden: bool,
     /// With textures.
     pub textures: bool,
     /// Leaves of one shape as copies of a mesh, in formats that have a word for it.
@@ -74,6 +76,7 @@ impl Default for ExportChoice {
             leaves: true,
             flowers: true,
             extras: true,
+            garden: true,
             textures: true,
             copies: false,
             transparent: false,

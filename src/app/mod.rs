@@ -40,6 +40,7 @@ mod file_dialog;
 pub mod fonts;
 mod frame;
 mod free_memory;
+pub mod garden_brush;
 mod graphics;
 pub mod growth_spots;
 mod invitation;

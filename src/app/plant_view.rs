@@ -15,6 +15,11 @@ use std::time::{Duration, Instant};
 
 /// Length of a flight of the camera.
 const FLIGHT: Duration = Duration::from_millis(280);
+/// How far above the horizon the ground is looked at from, degrees, and how much of it is seen around the plant, in its sizes.
+const GROUND_PITCH: f32 = 45.0;
+const GROUND_ROOM: f32 = 1.6;
+/// How far the middle is lifted then, shares of the view's height: below lies the card of the tools.
+const GROUND_LIFT: f32 = 0.14;
 /// Turn of the turntable, degrees per second.
 const TURNTABLE: f32 = 24.0;
 /// How long the view must rest before it is finished.
@@ -301,6 +306,26 @@ impl PlantView {
         self.state.turntable = false;
         self.guide = Guide::FollowsPlant;
         self.flight = self.bounds.is_some().then(|| (self.camera, Instant::now()));
+        self.stir();
+    }
+
+    /// Looks from above at the ground around the plant, or at the garden between these corners, and stays there.
+    pub fn show_ground(&mut self, garden: Option<(Vec3, Vec3)>) {
+        self.state.turntable = false;
+        self.take_hold();
+        if self.camera.pitch_deg >= GROUND_PITCH {
+            return;
+        }
+        let Some((low, high)) = self.bounds else { return };
+        let room = GROUND_ROOM * (high - low).max_element();
+        let around = match garden {
+            Some((l, h)) => (low.min(l), high.max(h)),
+            None => (low.min(Vec3::new(-room, 0.0, -room)), high.max(Vec3::new(room, 0.0, room))),
+        };
+        let mut camera = OrbitCamera { pitch_deg: GROUND_PITCH, ..self.camera };
+        camera.fit(around, self.aspect);
+        camera.pan(Vec2::new(0.0, -GROUND_LIFT));
+        self.camera = camera;
         self.stir();
     }
 

@@ -356,7 +356,9 @@ impl BuildContext {
         let Some(built) = self.build(snapshot, cancel)? else { return Ok(None) };
         let measure = self.measures.of(&built.model);
         let (counts, pieces) = (Counts::of(&built, &measure), pieces_of(&snapshot.sketch, &built.anatomy));
-        let (result, bounds, revision) = (Ok(Arc::new(built)), measure.bounds, snapshot.revision);
+        let of_garden = || built.garden.as_ref().and_then(|garden| garden.bounds());
+        let bounds = measure.bounds.or_else(of_garden);
+        let (result, revision) = (Ok(Arc::new(built)), snapshot.revision);
         Ok(Some(Update { revision, result, took: begun.elapsed(), counts, bounds, pieces }))
     }
 

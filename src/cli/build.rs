@@ -44,7 +44,7 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
     setup.sources.spare(args.out.iter().map(PathBuf::as_path))?;
     let built = setup.build(&args.sketch);
     ensure!(
-        !built.model.parts.is_empty(),
+        !built.model.parts.is_empty() || built.garden.is_some(),
         "{}: no stroke is long enough to be a petal, a leaf or a branch; draw something larger",
         args.sketch.display()
     );

@@ -1,6 +1,6 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
-use crate::formats::write::{self, InstanceForm, PlantAndProvenance};
+use crate::formats::write::{self, InstanceForm, PlantAndProvenance, Surfaces};
 use crate::input::Sources;
 use crate::model::{Levels, Model};
 use crate::pipeline::{self, Built, Params};
@@ -223,12 +223,12 @@ impl Instances {
 /// A file that cannot be written.
 pub fn export(
     outs: &[PathBuf],
-    (plant, model): (PlantAndProvenance<'_>, &Model),
+    (plant, surfaces): (PlantAndProvenance<'_>, Surfaces<'_>),
     instances: Option<Instances>,
     sources: &Sources,
 ) -> anyhow::Result<usize> {
     let form = instances.map(Instances::form);
-    Ok(write::export_all(outs, model, plant, &built_in_texture, form, sources)?)
+    Ok(write::export_all(outs, surfaces, plant, &built_in_texture, form, sources)?)
 }
 
 /// Writes the levels of detail of a plant into one GLB file, or several such files; returns the number of bytes.
@@ -241,8 +241,8 @@ pub fn export_levels(
     instances: Option<Instances>,
     sources: &Sources,
 ) -> anyhow::Result<usize> {
-    let (form, Levels { model, of_specimen }) = (instances.map(Instances::form), levels);
-    Ok(write::export_levels(outs, (model, of_specimen), plant, &built_in_texture, form, sources)?)
+    let Levels { model, of_specimen } = levels;
+    export(outs, (plant, Surfaces { level_of_specimen: of_specimen, ..model.into() }), instances, sources)
 }
 
 /// The program's own textures, for exporters and renderers.

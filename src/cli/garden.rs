@@ -1,20 +1,17 @@
 //! `penstemon garden SPEC.toml -o OUT` or `penstemon garden SPECIES… --area WxD -o OUT`: a garden of plants that are copies of a few.
 
 use super::common::{self, Assignments, Setup, SetupOptions, Stages};
-use super::studio::{self, Size, Viewpoint, is_picture, open_species};
+use super::studio::{self, Size, Viewpoint, check_size, is_picture, open_species};
 use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
-use crate::formats::write::{self, Takes};
+use crate::formats::write::{self, Surfaces, Takes};
 use crate::garden::spec::KindFields;
-use crate::garden::stock::{FEWEST_TRIANGLES, triangles_of_each};
-use crate::garden::{
-    Form, Garden, GardenSpec, Grower, KindSpec, Origin, Outline, Place, Stock, TileSet, surface,
-};
+use crate::garden::{Garden, GardenSpec, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::picture::Picture;
-use crate::pipeline::{self, Clock};
+use crate::pipeline::{self, Clock, FEWEST_TRIANGLES, Form, Grower, triangles_of_each};
 use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
 use crate::quote;
 use crate::render::PictureOptions;
@@ -27,10 +24,6 @@ use std::process::ExitCode;
 
 /// The number that decides what the tiles are like.
 const TILES: u64 = 1;
-/// Bytes of a triangle in an OBJ file, about.
-const OBJ_BYTES: usize = 150;
-/// Size from which an OBJ file is warned of, bytes.
-const LARGE_OBJ: usize = 100 << 20;
 
 /// Arguments of `garden`.
 #[derive(Debug, clap::Args)]
@@ -273,7 +266,7 @@ fn stock(spec: &GardenSpec, growers: &[Grower], variants: &[u32]) -> Result<Stoc
     let mut stock = Stock::default();
     for ((kind, grower), variants) in spec.plants.iter().zip(growers).zip(variants) {
         let name = kind.origin.name();
-        stock.add(name, grower, *variants, kind.fields.height);
+        stock.add(name, grower.grow_all(*variants), kind.fields.height);
         let Some(made) = stock.kinds.last() else { continue };
         made.remarks.iter().for_each(|remark| tracing::warn!("{name}: {remark}"));
         ensure!(
@@ -330,7 +323,7 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
             )?,
             Takes::Triangles => {
                 let model = whole.get_or_insert_with(|| garden.model());
-                common::export(std::slice::from_ref(out), (plant, model), None, sources)?
+                common::export(std::slice::from_ref(out), (plant, Surfaces::from(&*model)), None, sources)?
             }
         };
     }
@@ -344,34 +337,6 @@ fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
         studio::picture(model, args.view.view(), &options).with_context(|| out.display().to_string())?;
     atomic::write_atomically(out, &png)?;
     Ok(png.len())
-}
-
-/// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.
-fn check_size(out: &Path, triangles: usize) -> Result<()> {
-    if is_picture(out) {
-        let most = GardenBudget::GARDEN.drawn_triangles;
-        ensure!(
-            triangles <= most,
-            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, fewer --triangles, or --detail card",
-            out.display()
-        );
-        return Ok(());
-    }
-    if write::format_of(out)?.takes() != Takes::Triangles {
-        return Ok(());
-    }
-    let (most, expected) = (GardenBudget::GARDEN.flat_triangles, triangles * OBJ_BYTES);
-    let megabytes = expected >> 20;
-    ensure!(
-        triangles <= most,
-        "{}: OBJ has no copies, so the {triangles} triangles of all plants would be written, about {megabytes} MiB; it gets at most {most}. \
-         Write GLB, or choose fewer plants or fewer --triangles",
-        out.display()
-    );
-    if expected > LARGE_OBJ {
-        tracing::warn!("{}: OBJ has no copies, so the file will have about {megabytes} MiB", out.display());
-    }
-    Ok(())
 }
 
 fn stats(garden: &Garden, tiles: &TileSet, stages: Stages, bytes: usize) -> Value {

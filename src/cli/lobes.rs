@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let model = clock.time("model", || model(&shaped));
     let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
     let provenance = Provenance::default();
-    let bytes = common::export(&args.out, ((&plant, &provenance), &model), None, &sources)?;
+    let bytes = common::export(&args.out, ((&plant, &provenance), (&model).into()), None, &sources)?;
     if args.stats {
         let mut stats = common::stats(&clock.take(), &model, bytes);
         let of = |lobe: &Shaped| {

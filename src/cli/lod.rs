@@ -81,7 +81,7 @@ pub(super) fn export(
     let mut bytes = 0;
     for (level, model) in models.iter().enumerate().filter(|_| !apart.is_empty()) {
         let named: Vec<PathBuf> = apart.iter().map(|out| of_level(out, level)).collect();
-        bytes += common::export(&named, (plant, model), None, sources)?;
+        bytes += common::export(&named, (plant, model.into()), None, sources)?;
     }
     if !whole.is_empty() {
         bytes += common::export_levels(&whole, (plant, &Levels::of(models)), instances, sources)?;

@@ -7,7 +7,7 @@ use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
 use crate::formats::textures::{self, fetch};
 use crate::input::Sources;
 use crate::model::Model;
-use crate::pipeline::Built;
+use crate::pipeline;
 use crate::plant::Texture;
 use crate::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
 use crate::sketch::Sketch;
@@ -181,7 +181,8 @@ impl Scene {
             return Self::read(args);
         }
         let setup = Setup::open(&args.input, &args.build.setup)?;
-        let Built { model, stages, .. } = setup.build(&args.input);
+        let built = setup.build(&args.input);
+        let (model, stages) = (pipeline::seen(&built).into_owned(), built.stages);
         let Setup { sketch, mut sources, .. } = setup;
         textures::files(&model.materials).for_each(|picture| sources.add(picture));
         Ok(Self { model, embedded: Embedded::default(), drawn: Some(sketch), stages, sources })

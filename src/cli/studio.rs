@@ -3,14 +3,16 @@
 
 use super::common;
 use crate::atomic;
+use crate::budget::GardenBudget;
 use crate::formats::textures::fetch;
+use crate::formats::write::{self, Surfaces, Takes};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built};
 use crate::plant::Texture;
 use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -46,6 +48,11 @@ impl std::str::FromStr for Size {
         Ok(Self { width: number(width)?, height: number(height)? })
     }
 }
+
+/// Bytes of a triangle in an OBJ file, about.
+const OBJ_BYTES: usize = 150;
+/// Size from which an OBJ file is warned of, bytes.
+const LARGE_OBJ: usize = 100 << 20;
 
 /// From where a plant is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -141,7 +148,12 @@ impl<'a> Studio<'a> {
             outs.iter().map(|out| named(out)).partition(|out| is_picture(out));
         sources.spare(pictures.iter().map(PathBuf::as_path))?;
         let Built { model, plant, provenance, .. } = built;
-        let mut bytes = common::export(&models, ((plant, provenance), model), *instances, sources)?;
+        let garden = built.garden.as_deref();
+        if let Some(garden) = garden {
+            models.iter().try_for_each(|out| check_size(out, garden.triangle_count()))?;
+        }
+        let surfaces = Surfaces { garden, ..model.into() };
+        let mut bytes = common::export(&models, ((plant, provenance), surfaces), *instances, sources)?;
         if let Some(camera) = &mut self.camera {
             let png = camera.picture(&pipeline::seen(built), taken)?;
             for out in &pictures {
@@ -172,6 +184,34 @@ pub fn picture(model: &Model, view: View, options: &PictureOptions) -> Result<Ve
 }
 
 /// The file of a texture.
+/// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.
+pub(super) fn check_size(out: &Path, triangles: usize) -> Result<()> {
+    if is_picture(out) {
+        let most = GardenBudget::GARDEN.drawn_triangles;
+        ensure!(
+            triangles <= most,
+            "{}: {triangles} triangles are more than the {most} of a picture; choose a smaller area, fewer --triangles, or --detail card",
+            out.display()
+        );
+        return Ok(());
+    }
+    if write::format_of(out)?.takes() != Takes::Triangles {
+        return Ok(());
+    }
+    let (most, expected) = (GardenBudget::GARDEN.flat_triangles, triangles * OBJ_BYTES);
+    let megabytes = expected >> 20;
+    ensure!(
+        triangles <= most,
+        "{}: OBJ has no copies, so the {triangles} triangles of all plants would be written, about {megabytes} MiB; it gets at most {most}. \
+         Write GLB, or choose fewer plants or fewer --triangles",
+        out.display()
+    );
+    if expected > LARGE_OBJ {
+        tracing::warn!("{}: OBJ has no copies, so the file will have about {megabytes} MiB", out.display());
+    }
+    Ok(())
+}
+
 fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &common::built_in_texture)?)
 }

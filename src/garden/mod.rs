@@ -3,7 +3,7 @@
 //! ```text
 //! GardenSpec ──plan──► Plan ──places──► Vec<Place> ──┐
 //!   TOML               area, maps, paths  tiles      ├──► Model or InstancedModel
-//! Origin ──Grower──► Stock, the individuals ─────────┘    shapes once, poses many times
+//! Vec<Model> ──► Stock, the individuals ──────────────┘    shapes once, poses many times
 //! ```
 //!
 //! | file | what |
@@ -11,8 +11,9 @@
 //! | `tiles` | corner-coloured Poisson-disk tiles |
 //! | `area`, `grey_map`, `ground` | ground plan, density maps, heights |
 //! | `places` | where plants stand: the tiles laid over the area |
+//! | `painted` | the garden as strokes on the ground: places and ground |
 //! | `spec` | the garden as text |
-//! | `stock` | the individuals that are copied, built through the pipeline |
+//! | `stock` | the individuals that are copied |
 //! | `surface` | the ground and the paths as a closed slab |
 //! | `scene`, `list` | all of it as one model of copies, or as a list of places |
 //!
@@ -23,6 +24,7 @@ pub mod area;
 pub mod grey_map;
 pub mod ground;
 mod list;
+pub mod painted;
 pub mod places;
 pub mod scene;
 pub mod spec;
@@ -31,8 +33,9 @@ pub mod surface;
 pub mod tiles;
 
 pub use area::{Area, Outline};
+pub use painted::GardenParams;
 pub use places::{Kind, Place, Plan, PlanError, Variation};
 pub use scene::Garden;
 pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
-pub use stock::{Form, Grower, Stock};
+pub use stock::Stock;
 pub use tiles::{Spot, TileSet};

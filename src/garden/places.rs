@@ -286,10 +286,7 @@ impl Lattice<'_> {
     /// How a plant is turned at a place.
     fn rotation(&self, spot: u64, at: Vec2) -> Quat {
         let Plan { ground, variation: Variation { lean, follows, .. }, .. } = self.plan;
-        let (sin, cos) = (Choice::LEAN_SIDE.unit(spot) * TAU).sin_cos();
-        let lean =
-            Quat::from_axis_angle(Vec3::new(cos, 0.0, sin), (lean * Choice::LEAN.unit(spot)).to_radians());
-        let upright = lean * Quat::from_rotation_y(Choice::TURN.unit(spot) * TAU);
+        let upright = leaning(*lean, spot);
         if ground.is_level() {
             return upright.normalize();
         }
@@ -298,8 +295,15 @@ impl Lattice<'_> {
     }
 }
 
-/// Where plants of earlier lattices stand, and which distances they keep.
-struct Occupied {
+/// How a plant is turned at a spot of level ground, at most so many degrees from upright.
+pub(super) fn leaning(most: f32, spot: u64) -> Quat {
+    let (sin, cos) = (Choice::LEAN_SIDE.unit(spot) * TAU).sin_cos();
+    let lean = Quat::from_axis_angle(Vec3::new(cos, 0.0, sin), (most * Choice::LEAN.unit(spot)).to_radians());
+    lean * Quat::from_rotation_y(Choice::TURN.unit(spot) * TAU)
+}
+
+/// Where plants stand already, and which distances they keep.
+pub(super) struct Occupied {
     plants: Vec<(Vec2, f32)>,
     widest: f32,
     index: Option<(Grid, Sorted)>,
@@ -309,10 +313,13 @@ impl Occupied {
     fn new(places: &[Place], plan: &Plan) -> Self {
         let plant =
             |place: &Place| (Vec2::new(place.at.x, place.at.z), plan.kinds[place.kind as usize].spacing);
-        let plants: Vec<(Vec2, f32)> = places.iter().map(plant).collect();
+        Self::of(places.iter().map(plant).collect(), plan.area.bounds())
+    }
+
+    /// Of plants and the distances that they keep, over an area of these bounds.
+    pub(super) fn of(plants: Vec<(Vec2, f32)>, (low, high): (Vec2, Vec2)) -> Self {
         let widest = plants.iter().map(|(_, spacing)| *spacing).fold(0.0, f32::max);
         let index = (!plants.is_empty()).then(|| {
-            let (low, high) = plan.area.bounds();
             let grid = Grid::new(flat(low), flat(high), widest);
             let cells: Vec<u32> =
                 plants.iter().map(|(at, _)| grid.number(grid.place(flat(*at))) as u32).collect();
@@ -324,7 +331,7 @@ impl Occupied {
     }
 
     /// Whether a plant that keeps this distance can stand there.
-    fn has_room(&self, at: Vec2, spacing: f32) -> bool {
+    pub(super) fn has_room(&self, at: Vec2, spacing: f32) -> bool {
         let Some((grid, sorted)) = &self.index else { return true };
         let (low, high) = grid.around(flat(at), 0.5 * (self.widest + spacing));
         (low.z..=high.z).all(|z| {

@@ -5,7 +5,7 @@
 //! table ([`Garden::instanced`]).
 
 use super::places::Place;
-use super::stock::{Individual, Stock};
+use super::stock::{Individual, KindStock, Stock};
 use crate::model::{Copies, InstanceGroup, InstancedModel, Mesh, Model, Part, PartKind, Placement, Pose};
 use crate::plant::Material;
 use glam::Vec3;
@@ -38,6 +38,17 @@ impl Garden {
         ground + self.places.iter().filter_map(of_place).sum::<usize>()
     }
 
+    /// Smallest and largest corner of the ground and of where plants stand, with room for these; none where nothing is.
+    pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
+        let ground = self.ground.iter().flat_map(|(mesh, _)| mesh.points.iter().copied());
+        let widths: Vec<f32> = self.stock.kinds.iter().map(KindStock::width).collect();
+        let room = |place: &Place| place.scale * widths[place.kind as usize];
+        let plants = self.places.iter().flat_map(|place| [place.at - room(place), place.at + room(place)]);
+        let mut points = ground.chain(plants);
+        let first = points.next()?;
+        Some(points.fold((first, first), |(low, high), p| (low.min(p), high.max(p))))
+    }
+
     /// How many plants there are of each kind.
     pub fn plants_of_each_kind(&self) -> Vec<usize> {
         let mut counts = vec![0; self.stock.kinds.len()];
@@ -62,6 +73,22 @@ impl Garden {
             }
         }
         Model { parts, materials }
+    }
+
+    /// Puts the garden behind the parts of a model.
+    pub fn join(&self, model: &mut Model) {
+        let (behind, garden) = (Behind::new(model), self.model());
+        model.parts.extend(garden.parts.into_iter().map(|part| behind.part(part)));
+        model.materials.extend(garden.materials.into_iter().map(|material| behind.material(material)));
+    }
+
+    /// The same of a model whose copies stand apart; each individual is one shape.
+    pub fn join_instanced(&self, to: &mut InstancedModel) {
+        let (behind, InstancedModel { model, groups }) = (Behind::new(&to.model), self.instanced());
+        to.model.parts.extend(model.parts.into_iter().map(|part| behind.part(part)));
+        to.model.materials.extend(model.materials.into_iter().map(|material| behind.material(material)));
+        let moved = |group: InstanceGroup| InstanceGroup { shape: behind.part(group.shape), ..group };
+        to.groups.extend(groups.into_iter().map(moved));
     }
 
     /// The copies of a kind's surfaces in a material.
@@ -115,6 +142,47 @@ impl Garden {
     }
 }
 
+/// What parts and materials of a garden are called and numbered behind those of a model.
+struct Behind {
+    materials: usize,
+    specimens: usize,
+    names: BTreeSet<SmolStr>,
+    names_of_materials: BTreeSet<SmolStr>,
+}
+
+impl Behind {
+    fn new(model: &Model) -> Self {
+        Self {
+            materials: model.materials.len(),
+            specimens: model.parts.iter().map(|part| part.specimen + 1).max().unwrap_or(0),
+            names: model.parts.iter().map(|part| part.name.clone()).collect(),
+            names_of_materials: model.materials.iter().map(|material| (&*material.name).into()).collect(),
+        }
+    }
+
+    fn part(&self, part: Part) -> Part {
+        Part {
+            name: unused(&self.names, part.name),
+            material: part.material + self.materials,
+            more_materials: part.more_materials.iter().map(|material| material + self.materials).collect(),
+            specimen: part.specimen + self.specimens,
+            ..part
+        }
+    }
+
+    fn material(&self, material: Material) -> Material {
+        let name = unused(&self.names_of_materials, (&*material.name).into()).to_string();
+        Material { name, ..material }
+    }
+}
+
+/// A name, with what says that it is the garden's where the model has it.
+fn unused(taken: &BTreeSet<SmolStr>, name: SmolStr) -> SmolStr {
+    let numbered = (2..).map(|number| format_smolstr!("garden_{name}_{number}"));
+    let mut names = [name.clone(), format_smolstr!("garden_{name}")].into_iter().chain(numbered);
+    names.find(|name| !taken.contains(name)).unwrap_or(name)
+}
+
 /// A part at the origin without any surface.
 fn bare(name: SmolStr, kind: PartKind, material: usize) -> Part {
     let (mesh, more_materials) = (Arc::new(Mesh::default()), Vec::new());
@@ -145,7 +213,7 @@ fn whole(name: SmolStr, individual: &Individual) -> Option<Part> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::stock::{KindStock, Surface};
+    use super::super::stock::Surface;
     use super::*;
     use crate::model::Vertex;
     use glam::{Quat, Vec2};

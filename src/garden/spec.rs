@@ -50,17 +50,16 @@ crate::parameters! {
     }
 }
 
-/// What the ground is covered with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Cover {
-    /// Bare earth.
-    #[default]
-    Soil,
-    /// Mown grass from afar.
-    Lawn,
-    /// Nothing: only the plants are there.
-    None,
+crate::parameter_choice! {
+    /// What the ground is covered with.
+    pub enum Cover {
+        /// Bare earth.
+        Soil = "soil",
+        /// Mown grass from afar.
+        Lawn = "lawn",
+        /// Nothing: only the plants are there.
+        None = "none",
+    }
 }
 
 crate::parameters! {

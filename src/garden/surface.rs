@@ -1,17 +1,19 @@
 //! The ground of a garden as a closed slab, with its paths in a material of their own.
 //!
-//! A grid over the area is cut along two level sets, how deep a point is inside the area and how far beside a path: each cell's triangles
-//! are split where the value changes its sign, linearly between corners. A cut depends on the two ends of its edge alone, so
+//! A grid over the area is cut along level sets, how deep a point is inside the area and how far beside a path or a bed: each cell's
+//! triangles are split where the value changes its sign, linearly between corners. A cut depends on the two ends of its edge alone, so
 //! neighbours agree. Below lies a level underside, and walls close the slab.
 //!
 //! Limits: corners of the area and ends of paths are as sharp as the grid is fine; holes narrower than a cell are overlooked.
 
+use super::ground::Ground;
 use super::places::Plan;
 use super::spec::Cover;
 use crate::budget::GardenBudget;
 use crate::model::{Mesh, Vertex};
 use crate::plant::{Material, Texture};
 use glam::{UVec2, Vec2, Vec3};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// Thickness of the slab below its lowest place, as a share of the area's longer side, and at most in metres.
@@ -26,84 +28,156 @@ const GRAVEL: [f32; 3] = [0.27, 0.22, 0.16];
 
 /// The slab of a garden and its materials; none where it has no cover.
 pub fn slab(plan: &Plan, cover: Cover) -> Option<(Mesh, Vec<Material>)> {
-    let ground = match cover {
-        Cover::Soil => {
-            let texture = Some(Texture::BuiltIn("soil.png".to_owned()));
-            Material { texture, ..Material::plain("soil", [0.5, 0.42, 0.36]) }
-        }
-        Cover::Lawn => Material::plain("lawn", LAWN),
-        Cover::None => return None,
+    let beside = |p: Vec2| plan.paths.iter().map(|path| path.beside(p)).fold(f32::INFINITY, f32::min);
+    let depth = |p: Vec2| plan.area.depth(p);
+    let layers = if plan.paths.is_empty() { Vec::new() } else { vec![Layer::gravel(&beside)] };
+    let is_plain = layers.is_empty() && plan.ground.is_level() && plan.area.fills_box();
+    let ground = Terrain {
+        bounds: plan.area.bounds(),
+        depth: (!is_plain).then_some(&depth),
+        heights: &plan.ground,
+        cells: GardenBudget::GARDEN.ground_cells,
+        layers,
     };
-    let plane = Plane::new(plan);
-    let mut mesh = plane.tops(&plane.ground, plan);
-    let top_points = mesh.points.len() as u32;
-    plane.underside(&mut mesh, top_points, thickness(plan));
-    if plane.paths.is_empty() {
-        return Some((mesh, vec![ground]));
-    }
-    mesh.breaks = vec![mesh.triangles.len() as u32];
-    let path_top = plane.tops(&plane.paths, plan);
-    let vertices = mesh.vertices.len() as u32;
-    mesh.vertices.extend(path_top.vertices);
-    mesh.triangles.extend(path_top.triangles.iter().map(|triangle| triangle.map(|v| v + vertices)));
-    Some((mesh, vec![ground, Material::plain("gravel", GRAVEL)]))
+    ground.slab(cover)
 }
 
-fn thickness(plan: &Plan) -> f32 {
-    let (low, high) = plan.area.bounds();
-    (THICKNESS.0 * (high - low).max_element()).min(THICKNESS.1)
+/// How far a point is outside of something, metres; negative inside.
+type Distance<'a> = &'a (dyn Fn(Vec2) -> f32 + Sync);
+
+/// Something that lies on the ground and has another material.
+pub(super) struct Layer<'a> {
+    material: Material,
+    outside: Distance<'a>,
+}
+
+impl<'a> Layer<'a> {
+    /// Gravel of paths.
+    pub(super) fn gravel(outside: Distance<'a>) -> Self {
+        Self { material: Material::plain("gravel", GRAVEL), outside }
+    }
+
+    /// Soil of beds.
+    pub(super) fn soil(outside: Distance<'a>) -> Self {
+        Self { material: soil(), outside }
+    }
+}
+
+/// A ground plan that becomes a slab.
+pub(super) struct Terrain<'a> {
+    /// Smallest and largest corner.
+    pub(super) bounds: (Vec2, Vec2),
+    /// How deep a point is inside; none where the plan fills its bounds and is one level rectangle.
+    pub(super) depth: Option<Distance<'a>>,
+    pub(super) heights: &'a Ground,
+    /// Cells of its surface, about.
+    pub(super) cells: usize,
+    /// What lies on it, the later over the earlier.
+    pub(super) layers: Vec<Layer<'a>>,
+}
+
+fn soil() -> Material {
+    let texture = Some(Texture::BuiltIn("soil.png".to_owned()));
+    Material { texture, ..Material::plain("soil", [0.5, 0.42, 0.36]) }
+}
+
+impl Terrain<'_> {
+    /// The slab and its materials, those that are seen of the cover's and the layers'; none without cover.
+    pub(super) fn slab(self, cover: Cover) -> Option<(Mesh, Vec<Material>)> {
+        let ground = match cover {
+            Cover::Soil => soil(),
+            Cover::Lawn => Material::plain("lawn", LAWN),
+            Cover::None => return None,
+        };
+        let plane = Plane::new(&self);
+        let mut mesh = plane.tops(&plane.regions[0], self.heights);
+        let top_points = mesh.points.len() as u32;
+        plane.underside(&mut mesh, top_points, self.thickness());
+        let mut materials = vec![ground];
+        for (region, layer) in plane.regions[1..].iter().zip(self.layers) {
+            if region.is_empty() {
+                continue;
+            }
+            mesh.breaks.push(mesh.triangles.len() as u32);
+            materials.push(layer.material);
+            let top = plane.tops(region, self.heights);
+            let vertices = mesh.vertices.len() as u32;
+            mesh.vertices.extend(top.vertices);
+            mesh.triangles.extend(top.triangles.iter().map(|triangle| triangle.map(|v| v + vertices)));
+        }
+        Some((mesh, materials))
+    }
+
+    fn thickness(&self) -> f32 {
+        let (low, high) = self.bounds;
+        (THICKNESS.0 * (high - low).max_element()).min(THICKNESS.1)
+    }
 }
 
 /// The ground plan in triangles that turn from x toward z.
 struct Plane {
     points: Vec<Vec2>,
-    ground: Vec<[u32; 3]>,
-    paths: Vec<[u32; 3]>,
+    /// Triangles of the ground, and of each layer as far as no later one lies over it.
+    regions: Vec<Vec<[u32; 3]>>,
     cell: f32,
 }
 
 impl Plane {
-    fn new(plan: &Plan) -> Self {
-        let (low, high) = plan.area.bounds();
+    fn new(terrain: &Terrain<'_>) -> Self {
+        let (low, high) = terrain.bounds;
         let size = high - low;
-        let is_plain = plan.paths.is_empty() && plan.ground.is_level() && plan.area.fills_box();
-        let most = if is_plain { 1.0 } else { GardenBudget::GARDEN.ground_cells as f32 };
+        let most = if terrain.depth.is_none() { 1.0 } else { terrain.cells as f32 };
         let cell = (size.element_product() / most).sqrt();
         let counts = (size / cell).round().max(Vec2::ONE).min(Vec2::splat(most)).as_uvec2();
-        let corner = |x: u32, z: u32| {
-            let share = UVec2::new(x, z).as_vec2() / counts.as_vec2();
+        let levels = Levels { terrain, zero: ZERO * cell, farthest: size.length() };
+        let corner = |k: u32| {
+            let share = UVec2::new(k % (counts.x + 1), k / (counts.x + 1)).as_vec2() / counts.as_vec2();
             // The last corner is exactly the box's.
             low * (Vec2::ONE - share) + high * share
         };
-        let level = |value: f32| if value.abs() < ZERO * cell { 0.0 } else { value };
-        let depth = |p: Vec2| if is_plain { 1.0 } else { level(plan.area.depth(p)) };
-        let beside = |p: Vec2| {
-            level(
-                plan.paths.iter().map(|path| path.beside(p)).fold(f32::INFINITY, f32::min).min(size.length()),
-            )
-        };
+        let sampled = (0..(counts.x + 1) * (counts.y + 1))
+            .into_par_iter()
+            .map(|k| (corner(k), levels.layers(corner(k))));
+        let sampled: Vec<(Vec2, Option<u32>)> = sampled.collect();
         let mut welder = Welder::default();
-        let (mut ground, mut paths) = (Vec::new(), Vec::new());
+        let mut numbers = vec![None; sampled.len()];
+        let mut regions = vec![Vec::new(); 1 + terrain.layers.len()];
         for z in 0..counts.y {
             for x in 0..counts.x {
-                let [a, b, c, d] = [corner(x, z), corner(x + 1, z), corner(x + 1, z + 1), corner(x, z + 1)];
-                for triangle in [[a, b, c], [a, c, d]] {
-                    let (inside, _) = split(&triangle, &depth);
-                    let (off, on) = split(&inside, &beside);
-                    welder.fan(&off, &mut ground);
-                    welder.fan(&on, &mut paths);
+                let at = |x: u32, z: u32| (z * (counts.x + 1) + x) as usize;
+                let [a, b, c, d] = [at(x, z), at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)];
+                for places in [[a, b, c], [a, c, d]] {
+                    let corners = places.map(|place| sampled[place]);
+                    let triangle = corners.map(|(corner, _)| corner);
+                    let layers = corners[0]
+                        .1
+                        .filter(|first| corners.iter().all(|(_, layers)| *layers == Some(*first)));
+                    match layers {
+                        Some(OUTSIDE) => {}
+                        // The uppermost, or the ground.
+                        Some(layers) => {
+                            let mut number = |place: usize| {
+                                *numbers[place].get_or_insert_with(|| welder.number(sampled[place].0))
+                            };
+                            let region = layers.checked_ilog2().unwrap_or(0) as usize;
+                            regions[region].push(places.map(&mut number));
+                        }
+                        None => {
+                            levels.cut(&triangle, |piece, region| welder.fan(piece, &mut regions[region]))
+                        }
+                    }
                 }
             }
         }
-        Self { points: welder.points, ground, paths, cell }
+        Self { points: welder.points, regions, cell }
     }
 
     /// The upper side of some triangles, with all points of the plane.
-    fn tops(&self, triangles: &[[u32; 3]], plan: &Plan) -> Mesh {
-        let points: Vec<Vec3> = self.points.iter().map(|p| plan.ground.point(*p)).collect();
+    fn tops(&self, triangles: &[[u32; 3]], heights: &Ground) -> Mesh {
+        let points: Vec<Vec3> = self.points.iter().map(|p| heights.point(*p)).collect();
         let vertex = |(point, p): (u32, &Vec2)| Vertex {
             point,
-            normal: plan.ground.normal(*p, self.cell),
+            normal: heights.normal(*p, self.cell),
             uv: *p / PICTURE,
         };
         let vertices = (0..).zip(&self.points).map(vertex).collect();
@@ -123,7 +197,7 @@ impl Plane {
             uv: *p / PICTURE,
         });
         mesh.vertices.extend(below);
-        let all = || self.ground.iter().chain(&self.paths);
+        let all = || self.regions.iter().flatten();
         mesh.triangles.extend(all().map(|triangle| triangle.map(|v| v + first)));
         let mut edges: Vec<[u32; 2]> = all().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
         edges.sort_unstable();
@@ -144,6 +218,57 @@ impl Plane {
             }
             mesh.triangles.extend([[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|k| k + vertex)));
         }
+    }
+}
+
+/// What is outside of the ground has all layers and more.
+const OUTSIDE: u32 = u32::MAX;
+
+/// The values along whose zeros a terrain is cut.
+struct Levels<'a> {
+    terrain: &'a Terrain<'a>,
+    /// Values nearer to zero count as zero.
+    zero: f32,
+    /// Distances beyond this are all the same.
+    farthest: f32,
+}
+
+impl Levels<'_> {
+    fn level(&self, value: f32) -> f32 {
+        if value.abs() < self.zero { 0.0 } else { value.min(self.farthest) }
+    }
+
+    fn depth(&self, p: Vec2) -> f32 {
+        self.terrain.depth.map_or(1.0, |depth| self.level(depth(p)))
+    }
+
+    /// In which layers a point lies, as bits from 1 on, or [`OUTSIDE`] of the ground; none on a border of any.
+    fn layers(&self, p: Vec2) -> Option<u32> {
+        let depth = self.depth(p);
+        let (mut layers, mut is_on_border) = (0, depth == 0.0);
+        for (layer, number) in self.terrain.layers.iter().zip(1..).filter(|_| depth > 0.0) {
+            let outside = self.level((layer.outside)(p));
+            is_on_border |= outside == 0.0;
+            layers |= u32::from(outside < 0.0) << number;
+        }
+        let layers = if depth < 0.0 { OUTSIDE } else { layers };
+        (!is_on_border).then_some(layers)
+    }
+
+    /// Cuts a triangle and hands its pieces on with their regions.
+    fn cut(&self, triangle: &[Vec2], mut take: impl FnMut(&[Vec2], usize)) {
+        let (inside, _) = split(triangle, &|p| self.depth(p));
+        let mut pieces = vec![(inside, 0)];
+        for (layer, number) in self.terrain.layers.iter().zip(1..) {
+            let outside = |p: Vec2| self.level((layer.outside)(p));
+            // What lies below is cut as well, so that neighbours agree wherever layers cross.
+            let cut = |(piece, region): (Vec<Vec2>, usize)| {
+                let (off, on) = split(&piece, &outside);
+                [(off, region), (on, number)]
+            };
+            pieces = pieces.into_iter().flat_map(cut).collect();
+        }
+        pieces.iter().for_each(|(piece, region)| take(piece, *region));
     }
 }
 
@@ -217,7 +342,6 @@ impl Welder {
 mod tests {
     use super::super::area::{Area, Path};
     use super::super::grey_map::GreyMap;
-    use super::super::ground::Ground;
     use super::*;
     use crate::picture::decode::Rgba;
 

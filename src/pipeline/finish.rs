@@ -9,6 +9,7 @@ use super::triangle_budget::{self, Finer};
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::cards;
+use crate::garden::Garden;
 use crate::growth::Obstacles;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
@@ -40,6 +41,8 @@ pub struct Built {
     pub wood: DrawnWood,
     /// The plants beside the drawn one, in the order of the drawing; none for what was left out.
     pub beside: Vec<Option<BuiltBeside>>,
+    /// The garden around the plant.
+    pub garden: Option<Arc<Garden>>,
     /// The plant as surfaces.
     pub model: Model,
     /// What growth looks like from inside; empty until [`Cache::look_inside`](super::Cache::look_inside).
@@ -128,6 +131,7 @@ pub(super) fn finish(
         obstacles,
         wood,
         beside,
+        garden: None,
         model,
         overlay,
         stages,

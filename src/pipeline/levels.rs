@@ -26,6 +26,9 @@ const CARDS_BELOW: f32 = 0.34;
 /// Width and height of the pictures of whole plants, pixels.
 const BILLBOARD_PIXELS: u32 = 512;
 
+/// Plants that are to have no more triangles than this are far away.
+const FEW: u32 = 1000;
+
 /// The models of a plant's levels, in their order; `whole` is its own.
 pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
     let of_whole = whole.triangle_count() as f32;
@@ -54,6 +57,14 @@ fn of_budget(plant: FinishedPlant, params: &Params, most: u32) -> Model {
     let (plant, model) =
         triangle_budget::fit(plant, &params.model, (u64::from(most), Finer::Never), &|| false);
     model::build(&plant, &model)
+}
+
+/// A plant with so many triangles; if these are few and it does not come down to them, two crossing pictures of it.
+pub(super) fn for_garden(plant: &FinishedPlant, whole: &Model, params: &Params, triangles: u32) -> Model {
+    let made = |level| levels(plant, whole, params, &[level]).pop().unwrap_or_default();
+    let model = made(Level::Triangles(triangles));
+    let is_too_fine = triangles <= FEW && model.triangle_count() > 2 * triangles as usize;
+    if is_too_fine { made(Level::Billboards) } else { model }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A drawing may name plants that stand beside the drawn one. Each goes this way by itself; then they are put together
-//! (`beside`).
+//! (`beside`). Around them lies the garden that is painted on the ground (`painted_garden`).
 //!
 //! The one place that knows the order of the stages. Live, cached and headless builds are the same code:
 //! [`build`] is [`build_with`] an empty cache and nothing that stops it. In memory only: reading and writing files are the
@@ -22,12 +22,14 @@ mod drawing;
 mod figure_plant;
 mod finish;
 mod growing;
+mod individuals;
 mod levels;
-mod obstacle_model;
+mod painted_garden;
 mod placing;
 mod proposed_species;
 mod rose;
 mod seed;
+mod seen;
 mod setup;
 mod source;
 mod thinning;
@@ -38,10 +40,12 @@ pub use beside::Beside;
 pub use clock::Clock;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
+pub use individuals::{FEWEST_TRIANGLES, Form, Grower, triangles_of_each};
 pub use levels::{Level, levels};
-pub use obstacle_model::seen;
+pub use painted_garden::GardenMemory;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
+pub use seen::seen;
 pub use setup::{
     Params, SetupError, check_blooms, check_grows, params_of, params_of_species, species_file, species_of,
     species_or_usual, usual_species,
@@ -72,6 +76,8 @@ pub struct Cache {
     pub seed: SeedMemory,
     /// The plants beside the drawn one.
     pub beside: Beside,
+    /// What grows in the garden around it.
+    pub garden: GardenMemory,
 }
 
 impl Cache {
@@ -127,7 +133,8 @@ pub fn build_with<'a>(
     match source.into() {
         Source::Drawing(sketch) => {
             let mut produced = drawing::produce(&mut cache.drawing, sketch, with, &mut clock, &stop)?;
-            if !sketch.plants.is_empty() && produced.is_bare() {
+            let is_alone = sketch.plants.is_empty() && sketch.garden.is_empty();
+            if !is_alone && produced.is_bare() {
                 let height = params.depth.world.height;
                 produced.provenance.world_from_canvas = placing::world_of_sheet(sketch.canvas, height);
             }
@@ -141,7 +148,10 @@ pub fn build_with<'a>(
                 &mut clock,
                 &stop,
             )?;
-            beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)
+            let garden = painted_garden::lay_out(&mut cache.garden, &drawn, sketch, with, &mut clock, &stop)?;
+            let mut built = beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)?;
+            garden.put_into(&mut built);
+            Some(built)
         }
         Source::Bloom(bloom) => {
             let produced = clock.time("bloom", || bloom::produce(bloom, with));

@@ -9,6 +9,7 @@ use crate::anatomy::conventions::{self, ConventionParams};
 use crate::cards::CardParams;
 use crate::depth::DepthParams;
 use crate::flower::Layers;
+use crate::garden::GardenParams;
 use crate::growth::habit::{ClimbHabit, CrownHabit};
 use crate::growth::{GrowthParams, Habit, ObstacleParams};
 use crate::model::ModelParams;
@@ -36,6 +37,8 @@ crate::parameter_groups! {
         growth: GrowthParams;
         /// What stands behind it.
         obstacle: ObstacleParams;
+        /// The garden that is painted around it.
+        garden: GardenParams;
         /// How the plant becomes surfaces.
         model: ModelParams;
         /// Foliage as pictures on rectangles.

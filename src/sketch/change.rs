@@ -1,7 +1,9 @@
 //! Changes of a drawing: what tools and panels hand to the document as one undoable step.
 
 use super::settings::Settings;
-use super::{Corrections, PartPoses, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures};
+use super::{
+    Corrections, GardenStrokes, PartPoses, PetalShapes, PlacedPlant, Reference, Stroke, StrokeId, Textures,
+};
 use serde_json::{Map, Value};
 use std::sync::Arc;
 
@@ -83,6 +85,11 @@ impl Change {
     /// Other poses of branches, all of them.
     pub fn part_poses(part_poses: PartPoses) -> Self {
         Settings { part_poses: Some(part_poses), ..Settings::default() }.into()
+    }
+
+    /// Another garden around the plant, all of it.
+    pub fn garden(garden: GardenStrokes) -> Self {
+        Settings { garden: Some(garden), ..Settings::default() }.into()
     }
 
     /// Another picture under the drawing, or the same lying otherwise, or none.

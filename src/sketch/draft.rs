@@ -8,8 +8,8 @@ use super::reference::Reference;
 use super::textures::Textures;
 use super::warnings::Warnings;
 use super::{
-    Brush, Canvas, Corrections, PartPoses, PetalShapes, PlacedPlant, Remark, Sketch, Stroke, StrokeId,
-    StrokePoint, Tool, limits,
+    Brush, Canvas, Corrections, GardenStrokes, PartPoses, PetalShapes, PlacedPlant, Remark, Sketch, Stroke,
+    StrokeId, StrokePoint, Tool, limits,
 };
 use glam::{Vec2, Vec3};
 use serde_json::{Map, Value};
@@ -29,13 +29,14 @@ pub(super) struct Draft {
     pub(super) corrections: Corrections,
     pub(super) petal_shapes: PetalShapes,
     pub(super) part_poses: PartPoses,
+    pub(super) garden: GardenStrokes,
     pub(super) strokes: Vec<DraftStroke>,
 }
 
 /// What a drawing is read for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Purpose {
-    /// To make a plant of it: there must be a line, or a plant beside it.
+    /// To make a plant of it: there must be a line, a plant beside it, or a garden.
     Build,
     /// To draw on in it: an empty sheet is as good as any.
     Edit,
@@ -76,7 +77,7 @@ impl Draft {
             bring_into_range(id, &mut points, warnings);
             strokes.push(Stroke { id, tool, points, brush });
         }
-        let needs_lines = purpose == Purpose::Build && self.plants.is_empty();
+        let needs_lines = purpose == Purpose::Build && self.plants.is_empty() && self.garden.is_empty();
         if strokes.is_empty() && needs_lines {
             return Err((Place::default(), Fault::NoStrokes));
         }
@@ -94,6 +95,7 @@ impl Draft {
             corrections,
             petal_shapes,
             part_poses,
+            garden,
             strokes: _,
         } = self;
         let strokes = strokes.into_iter().map(Arc::new).collect();
@@ -109,6 +111,7 @@ impl Draft {
             corrections,
             petal_shapes,
             part_poses,
+            garden,
             strokes,
         };
         if canvas.is_none() {

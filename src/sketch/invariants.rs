@@ -1,7 +1,8 @@
 //! What must hold for every [`Sketch`] that was read; called by tests, property tests and fuzz targets.
 
 use super::{
-    Sketch, Stroke, StrokePoint, brush, corrections, limits, part_poses, petal_shapes, plants, textures,
+    Sketch, Stroke, StrokePoint, brush, corrections, garden, limits, part_poses, petal_shapes, plants,
+    textures,
 };
 use glam::Vec2;
 use std::collections::HashSet;
@@ -29,6 +30,7 @@ impl Sketch {
         corrections::check(&self.corrections)?;
         petal_shapes::check(&self.petal_shapes)?;
         part_poses::check(&self.part_poses)?;
+        garden::check(&self.garden)?;
         self.reference.as_ref().map_or(Ok(()), |reference| reference.check().map_err(|e| e.to_string()))
     }
 }

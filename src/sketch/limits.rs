@@ -72,6 +72,15 @@ pub const MAX_PETAL_OFFSET: f32 = 2.0;
 /// Most branches and organs that the artist turned or moved.
 pub const MAX_PART_POSES: usize = 4096;
 
+/// Most strokes of a garden.
+pub const MAX_GARDEN_STROKES: usize = 4096;
+
+/// Most samples of all of them together.
+pub const MAX_GARDEN_POINTS: usize = 50_000;
+
+/// Farthest that a garden reaches from its drawn plant along each axis, metres.
+pub const MAX_GARDEN_METRES: f32 = 5000.0;
+
 /// Most remarks kept; the rest is counted.
 pub const MAX_WARNINGS: usize = 100;
 

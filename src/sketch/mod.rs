@@ -11,6 +11,7 @@ pub mod corrections;
 pub mod document;
 mod draft;
 pub mod error;
+pub mod garden;
 mod invariants;
 pub mod journal;
 pub mod json;
@@ -36,6 +37,7 @@ pub use change::{Change, StrokeChange};
 pub use corrections::{Correction, Corrections, Verdict};
 pub use document::{ChangeError, Document};
 pub use error::SketchError;
+pub use garden::{GardenPoint, GardenStroke, GardenStrokes, GardenTool};
 pub use petal_shapes::{PetalShape, PetalShapes};
 pub use plants::{Maker, PlacedPlant, PlantFault, PlantsError, SeedOf};
 pub use read::{editable_from_bytes, from_bytes, read};
@@ -229,6 +231,8 @@ pub struct Sketch {
     pub petal_shapes: PetalShapes,
     /// How the artist turned and bent branches.
     pub part_poses: PartPoses,
+    /// The garden that is painted around the plant.
+    pub garden: GardenStrokes,
     /// The strokes, oldest first.
     pub strokes: Vec<Arc<Stroke>>,
 }
@@ -247,6 +251,7 @@ impl Sketch {
             corrections: Corrections::default(),
             petal_shapes: PetalShapes::default(),
             part_poses: PartPoses::default(),
+            garden: GardenStrokes::default(),
             strokes: Vec::new(),
         }
     }

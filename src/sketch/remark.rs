@@ -278,6 +278,27 @@ pub enum Remark {
          another height"
     )]
     PlantOutOfScale,
+    /// A bed of a species that does not exist or does not make itself.
+    #[error(
+        "in the garden no `{species}` grows, for no species of this name grows by itself; those that do are {known}"
+    )]
+    NoSuchPlantInGarden {
+        /// Its name.
+        species: String,
+        /// Those that grow.
+        known: String,
+    },
+    /// A bed of the drawn plant where none is drawn.
+    #[error("the garden has beds of the drawn plant, but none is drawn: draw one, or choose a species")]
+    NothingToPlant,
+    /// A garden of more plants than it may have.
+    #[error(
+        "the garden has {plants} plants, fewer than were painted: the most that it may have; paint it less densely"
+    )]
+    GardenThinned {
+        /// How many.
+        plants: usize,
+    },
     /// What was odd about a plant beside the drawn one.
     #[error("plant {place} (`{species}`): {remark}")]
     OfPlant {
@@ -325,6 +346,9 @@ impl Remark {
             | Self::GrammarStopped { .. }
             | Self::LeavesThinned { .. }
             | Self::NoSuchPlant { .. }
+            | Self::NoSuchPlantInGarden { .. }
+            | Self::NothingToPlant
+            | Self::GardenThinned { .. }
             | Self::PlantOutOfScale
             | Self::Coarser { .. } => true,
             Self::OfPlant { remark, .. } => remark.is_shortfall(),

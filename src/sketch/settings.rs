@@ -1,7 +1,8 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
 use super::{
-    Canvas, Corrections, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Sketch, Textures, textures,
+    Canvas, Corrections, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Sketch,
+    Textures, textures,
 };
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -58,6 +59,8 @@ settings! {
     petal_shapes: PetalShapes,
     /// All poses of branches.
     part_poses: PartPoses,
+    /// All of the garden around the plant.
+    garden: GardenStrokes,
 }
 
 impl Settings {

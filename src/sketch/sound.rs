@@ -4,8 +4,8 @@ use super::change::{Change, StrokeChange};
 use super::invariants::{check_stroke, is_in_range};
 use super::plants::PlantsError;
 use super::{
-    Brush, Canvas, ReferenceError, Stroke, StrokePoint, brush, corrections, limits, part_poses, petal_shapes,
-    plants, textures,
+    Brush, Canvas, ReferenceError, Stroke, StrokePoint, brush, corrections, garden, limits, part_poses,
+    petal_shapes, plants, textures,
 };
 use glam::Vec2;
 use serde_json::{Map, Value};
@@ -54,6 +54,9 @@ pub enum ChangeError {
     /// Too many poses of branches, or one that is no turn.
     #[error("{0}")]
     PartPoses(String),
+    /// A garden that cannot be.
+    #[error("{0}")]
+    Garden(String),
     /// The picture under the drawing.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
@@ -80,6 +83,7 @@ pub(super) fn made_sound(mut change: Change) -> Result<Change, ChangeError> {
     settings.corrections.as_deref().map_or(Ok(()), corrections::check).map_err(ChangeError::Corrections)?;
     settings.petal_shapes.as_deref().map_or(Ok(()), petal_shapes::check).map_err(ChangeError::PetalShapes)?;
     settings.part_poses.as_deref().map_or(Ok(()), part_poses::check).map_err(ChangeError::PartPoses)?;
+    settings.garden.as_deref().map_or(Ok(()), garden::check).map_err(ChangeError::Garden)?;
     settings.reference.iter().flatten().try_for_each(|reference| reference.check())?;
     Ok(change)
 }

@@ -89,7 +89,9 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
     }
     let mut moved = 0;
     for (text, found) in searches {
-        let mut harness = searched_in(growing(), &text);
+        let all = growing();
+        let params = all.params.clone().with_garden(true);
+        let mut harness = searched_in(Snapshot { params, ..all }, &text);
         for description in found {
             let label = english().param_name(&description.path);
             if harness.query_by_role_and_label(Role::Slider, &label).is_none() {

@@ -1,11 +1,11 @@
 //! The sketch file: what it means, and that writing and reading are inverse.
 
 use super::{read, with_points, with_strokes};
-use glam::{Quat, Vec3, vec2};
+use glam::{Quat, Vec2, Vec3, vec2};
 use penstemon::sketch::{
-    Brush, Canvas, Correction, Maker, PartName, PartPose, PetalShape, Picture, PlacedPlant, Reading,
-    Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits,
-    textures,
+    Brush, Canvas, Correction, GardenPoint, GardenStroke, GardenTool, Maker, PartName, PartPose, PetalShape,
+    Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool,
+    Verdict, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -199,6 +199,22 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn garden_stroke()(
+        tool in prop_oneof![
+            Just(GardenTool::Path),
+            Just(GardenTool::Clear),
+            prop::option::of(".{1,12}").prop_map(GardenTool::Plants),
+        ],
+        radius in 0.01_f32..500.0,
+        density in 0.04_f32..=5.0,
+        points in prop::collection::vec((-5e3_f32..5e3, -5e3_f32..5e3, 0.0_f32..=1.0), 1..8),
+    ) -> Arc<GardenStroke> {
+        let point = |(x, y, pressure): (f32, f32, f32)| GardenPoint { at: Vec2::new(x, y), pressure };
+        Arc::new(GardenStroke { tool, radius, density, points: points.into_iter().map(point).collect() })
+    }
+}
+
+prop_compose! {
     fn sketch()(
         size in (1e-3_f32..1e6, 1e-3_f32..1e6),
         species in prop::option::of(".{0,12}"),
@@ -210,6 +226,7 @@ prop_compose! {
         corrections in prop::collection::vec(correction(), 0..4),
         petal_shapes in prop::collection::vec(petal_shape(), 0..3),
         part_poses in part_poses(),
+        garden in prop::collection::vec(garden_stroke(), 0..4),
         strokes in prop::collection::btree_map(
             any::<u64>(),
             (prop::sample::select(&Tool::ALL[..]), prop::collection::vec(point(), 2..20), brush()),
@@ -218,7 +235,7 @@ prop_compose! {
     ) -> Sketch {
         let strokes = strokes.into_iter().map(|(id, (tool, points, brush))| Arc::new(Stroke { id, tool, points, brush: tool.is_brush().then_some(brush) })).collect();
         let canvas = Canvas { width: size.0, height: size.1 };
-        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), part_poses: part_poses.into(), strokes }
+        Sketch { canvas, species, seed, params: params.into_iter().collect(), textures, reference, plants, corrections: corrections.into(), petal_shapes: petal_shapes.into(), part_poses: part_poses.into(), garden: garden.into(), strokes }
     }
 }
 

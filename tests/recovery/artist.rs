@@ -1,7 +1,11 @@
 //! A session of an artist that can be played again, step by step.
 
+use glam::Vec2;
 use penstemon::sketch::document::Document;
-use penstemon::sketch::{Change, Picture, Reference, Step, Stroke, StrokeChange, TextureChoice, Textures};
+use penstemon::sketch::{
+    Change, GardenPoint, GardenStroke, GardenTool, Picture, Reference, Step, Stroke, StrokeChange,
+    TextureChoice, Textures,
+};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::{Map, Value};
@@ -11,7 +15,7 @@ use std::sync::Arc;
 const PICTURE: &[u8] = include_bytes!("../fixtures/reference/small.jpg");
 
 /// A session of an artist: real strokes, and now and then undo, redo, a slider, erasing, moving, a reference
-/// picture, pictures as textures.
+/// picture, pictures as textures, a bed of the garden.
 pub(crate) struct Artist {
     pub(crate) document: Document,
     strokes: Vec<Arc<Stroke>>,
@@ -72,6 +76,14 @@ impl Artist {
                     ("sepal".to_owned(), own),
                 ]);
                 self.document.apply(Change::textures(textures)).unwrap()
+            }
+            7 => {
+                let at = Vec2::new(self.rng.random_range(-9.0..9.0), 2.5);
+                let tool = GardenTool::Plants((at.x > 0.0).then(|| "rose".to_owned()));
+                let points = vec![GardenPoint { at, pressure: 0.3 }];
+                let bed = Arc::new(GardenStroke { tool, radius: 0.5, density: 1.5, points });
+                let garden = self.document.sketch().garden.iter().cloned().chain([bed]).collect();
+                self.document.apply(Change::garden(garden)).unwrap()
             }
             _ => {
                 let like = self.strokes[self.rng.random_range(0..self.strokes.len())].clone();

@@ -17,6 +17,7 @@ mod disk;
 mod display;
 mod drawing;
 mod exports;
+mod garden;
 mod kills;
 mod latency;
 mod looks;

@@ -5,6 +5,7 @@
 
 use crate::app::panels::snapshot::{ExportChoice, ExportFormat};
 use crate::app::texture_files::built_in_texture;
+use crate::garden::Garden;
 use crate::model::{Model, PartKind};
 use crate::plant::Texture;
 use crate::sketch::Sketch;
@@ -18,15 +19,36 @@ const BYTES_PER_COPY: u64 = 200;
 const BYTES_PER_SAMPLE: u64 = 24;
 
 /// Bytes of all files of an export together; `None` where nobody knows.
-pub(super) fn bytes(choice: &ExportChoice, model: &Model, sketch: &Sketch) -> Option<u64> {
+pub(super) fn bytes(
+    choice: &ExportChoice,
+    (model, garden): (&Model, Option<&Garden>),
+    sketch: &Sketch,
+) -> Option<u64> {
+    let garden = garden.filter(|_| choice.garden);
     match choice.format {
         ExportFormat::Png => None,
         ExportFormat::Svg => {
             let samples: usize = sketch.strokes.iter().map(|stroke| stroke.points.len()).sum();
             Some(samples as u64 * BYTES_PER_SAMPLE)
         }
-        ExportFormat::Glb => Some(surfaces(choice, model, (BYTES_PER_TRIANGLE.0, choice.copies))),
-        ExportFormat::Obj => Some(surfaces(choice, model, (BYTES_PER_TRIANGLE.1, false))),
+        ExportFormat::Glb => {
+            let of_plant = surfaces(choice, model, (BYTES_PER_TRIANGLE.0, choice.copies));
+            Some(of_plant + garden.map_or(0, |garden| of_garden(garden, (BYTES_PER_TRIANGLE.0, true))))
+        }
+        ExportFormat::Obj => {
+            let of_plant = surfaces(choice, model, (BYTES_PER_TRIANGLE.1, false));
+            Some(of_plant + garden.map_or(0, |garden| of_garden(garden, (BYTES_PER_TRIANGLE.1, false))))
+        }
+    }
+}
+
+/// Bytes of a garden without its textures, most of which are the program's own and small.
+fn of_garden(garden: &Garden, (per_triangle, keeps_copies): (u64, bool)) -> u64 {
+    match keeps_copies {
+        true => {
+            garden.stock.triangle_count() as u64 * per_triangle + garden.places.len() as u64 * BYTES_PER_COPY
+        }
+        false => garden.triangle_count() as u64 * per_triangle,
     }
 }
 
@@ -115,7 +137,7 @@ mod tests {
                         copies,
                         ..ExportChoice::default()
                     };
-                    let guess = bytes(&choice, &built.model, &sketch).unwrap();
+                    let guess = bytes(&choice, (&built.model, None), &sketch).unwrap();
                     let real = real(&choice, &built, &sketch);
                     let ratio = guess as f64 / real as f64;
                     assert!((0.6..1.6).contains(&ratio), "{name} {choice:?}: {guess} for {real}");

@@ -8,7 +8,7 @@ use super::estimate::is_wanted;
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
 use crate::app::texture_files::{self, built_in_texture};
-use crate::formats::write::{self, ExportError, InstanceForm};
+use crate::formats::write::{self, ExportError, InstanceForm, Surfaces};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built};
@@ -123,7 +123,9 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             let (paths, built) = ([order.path.clone()], &order.built);
             let plant = (&built.plant, &built.provenance);
             let form = form_of_copies(&order.choice);
-            write::export_all(&paths, &model, plant, &built_in_texture, form, &order.sources).map_err(boxed)
+            let garden = built.garden.as_deref().filter(|_| order.choice.garden);
+            let surfaces = Surfaces { garden, ..(&model).into() };
+            write::export_all(&paths, surfaces, plant, &built_in_texture, form, &order.sources).map_err(boxed)
         }
         ExportFormat::Png => write_pictures(order, shared),
     }

@@ -135,6 +135,7 @@ impl Editor {
         self.beside = Beside::default();
         self.petals.let_go();
         self.space.let_go();
+        self.garden.forget();
         self.brush.let_go();
         self.posing.let_go();
         // Tool, selection and view belong to the drawing; what the artist chose for pens stays.

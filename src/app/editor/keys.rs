@@ -79,6 +79,7 @@ impl Editor {
             Key::I => Some(self.toggled(Tool::LightBrush)),
             Key::Y => Some(self.toggled(Tool::LeafBrush)),
             Key::M => Some(self.toggled(Tool::FlowerBrush)),
+            Key::N => Some(Action::PaintGarden(!self.garden.is_on)),
             Key::J => Some(Action::PoseParts(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),

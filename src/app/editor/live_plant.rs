@@ -11,7 +11,7 @@ use crate::app::stroke_colours::Pieces;
 use crate::app::worker::{self, Counts, Growing, Update, Worker};
 use crate::growth::overlay::Wanted;
 use crate::pipeline::{self, Built};
-use crate::sketch::{Brush, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, Warning};
+use crate::sketch::{Brush, GardenStrokes, Remark, Sketch, Stroke, StrokeId, StrokePoint, Tool, Warning};
 use crate::species::Species;
 use glam::Vec3;
 use std::path::Path;
@@ -254,7 +254,7 @@ impl LivePlant {
     /// Hands the newest drawing to the worker if it changed.
     pub(super) fn submit(
         &mut self,
-        sketch: &Sketch,
+        (sketch, garden): (&Sketch, GardenStrokes),
         folder: &Path,
         (canvas, under_pen): (&Canvas, Option<UnderPen<'_>>),
         overlay: Wanted,
@@ -274,6 +274,7 @@ impl LivePlant {
             corrections,
             petal_shapes,
             part_poses,
+            garden: _,
             strokes,
         } = sketch;
         if !(matches!(canvas.preview(), Preview::Same) && is_same_list(&self.strokes, strokes)) {
@@ -291,6 +292,7 @@ impl LivePlant {
             corrections: corrections.clone(),
             petal_shapes: petal_shapes.clone(),
             part_poses: part_poses.clone(),
+            garden,
             strokes: Vec::new(),
         };
         self.revisions.submitted += 1;

@@ -7,6 +7,7 @@ use super::brush_tool::BrushTool;
 use super::dialogs::Dialogs;
 use super::disk::Disk;
 use super::export::Exports;
+use super::garden_tool::GardenPainting;
 use super::live_plant::LivePlant;
 use super::lost_drawings::LostDrawings;
 use super::open_drawing::OpenDrawing;
@@ -94,6 +95,7 @@ impl Editor {
             search: PlantSearch::default(),
             space: SpaceTool::default(),
             brush: BrushTool::default(),
+            garden: GardenPainting::default(),
             posing: PoseTool::default(),
             pens: Pens::default(),
             dialogs: Dialogs::default(),

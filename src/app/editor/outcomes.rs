@@ -9,7 +9,7 @@ use crate::app::panels::snapshot::{MenuOf, Notice, PartMenu};
 use crate::app::pen_settings::TabletDoubt;
 use crate::app::plant_tools::{Keys, PlantTool};
 use crate::app::tablets::Reach;
-use crate::pen::{PenEvent, PenPhase};
+use crate::pen::{PenEvent, PenPhase, PenSample};
 use crate::sketch::{Change, Tool};
 use glam::DVec2;
 
@@ -42,11 +42,12 @@ impl Editor {
                 || self.hold_ring(at)
                 || self.hold_part(at)
                 || self.is_over_selected_plant(at));
-        let draws = begins && (self.begin_in_space(&event.sample) || self.begin_painting(&event.sample));
-        let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws };
+        let draws = begins && self.begins_to_draw(&event.sample);
+        let taps_draw = self.garden.stroke.is_some();
+        let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws, taps_draw };
         self.pens.in_plant.event(event, keys, &mut self.plant);
         if draws && !self.pens.in_plant.is_drawing() {
-            (self.space.stroke, self.brush.stroke) = (None, None);
+            (self.space.stroke, self.brush.stroke, self.garden.stroke) = (None, None, None);
         }
         self.carry();
         self.draw_in_space();
@@ -54,6 +55,11 @@ impl Editor {
             (self.petals.hold, self.posing.hold, self.posing.ring) = (None, None, None);
             self.drawing.end_merging();
         }
+    }
+
+    /// Begins to draw or paint in the view of the plant, if a tool that does is in hand and can begin there.
+    fn begins_to_draw(&mut self, sample: &PenSample) -> bool {
+        self.begin_in_space(sample) || self.begin_painting(sample) || self.begin_in_garden(sample)
     }
 
     /// Takes up a tool in the view of the plant; `None` gives it back.

@@ -45,7 +45,7 @@ impl Editor {
                 }
             }
             Action::TakeAwayPart => self.take_away_part(),
-            other => self.perform_on_brushes(other),
+            other => self.perform_on_garden(other),
         }
     }
 
@@ -61,6 +61,8 @@ impl Editor {
     /// Lays down whichever tool is in hand in the view of the plant.
     pub(super) fn lay_down_plant_tools(&mut self) {
         (self.petals.is_on, self.space.is_on, self.posing.is_on) = (false, false, false);
+        self.garden.is_on = false;
+        self.garden.let_go();
         (self.brush.tool, self.brush.stroke) = (None, None);
         self.petals.let_go();
         self.posing.let_go();

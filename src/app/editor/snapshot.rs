@@ -44,6 +44,7 @@ impl Editor {
             petals: self.petal_state(),
             space: self.space_state(),
             brush: self.brush_state(),
+            garden: self.garden_state(),
             pose: self.pose_state(),
             presets: self.disk.presets.listed().to_vec(),
             reference,
@@ -77,7 +78,8 @@ impl Editor {
         let none = Map::new();
         let species = self.live.species();
         let of_species = species.map_or(&none, |species| &species.params);
-        let values = ParamValues::of(of_species, &self.sketch().params);
+        let has_garden = !self.sketch().garden.is_empty();
+        let values = ParamValues::of(of_species, &self.sketch().params).with_garden(has_garden);
         let Some(growth) = self.live.growth_state(self.sketch()) else { return values };
         let habit = species.and_then(|species| species.growth.as_ref());
         values.growing(habit.unwrap_or(&Habit::default()), growth.age)
@@ -158,7 +160,7 @@ impl Editor {
 
     fn export_bytes(&self) -> Option<u64> {
         let built = self.built().filter(|_| self.dialog() == Some(&Dialog::Export))?;
-        estimate::bytes(&self.prefs.settings().export, &built.model, self.sketch())
+        estimate::bytes(&self.prefs.settings().export, (&built.model, built.garden.as_deref()), self.sketch())
     }
 }
 

@@ -111,6 +111,10 @@ impl Editor {
     /// Follows what the pen drew or painted in the view of the plant since this was asked last.
     pub(super) fn draw_in_space(&mut self) {
         for (phase, sample) in self.plant.take_drawn() {
+            if self.garden.stroke.is_some() {
+                self.paint_garden(phase, &sample);
+                continue;
+            }
             if self.brush.stroke.is_some() {
                 self.paint(phase, &sample);
                 continue;

@@ -89,6 +89,7 @@ impl Editor {
         let scale = self.plant.pixels_per_point();
         let at = at.map(|at| DVec2::new(at.x.into(), at.y.into()) * scale);
         self.hover_brush(at);
+        self.hover_garden(at);
         let is_idle = self.space.stroke.is_none() && self.posing.hold.is_none();
         let at = at.filter(|_| is_idle);
         let on_wood = |at: DVec2| self.wood_at(at).map(|(_, place)| place);
@@ -107,6 +108,7 @@ impl Editor {
             painter.circle(to_points(at, scale), 5.0, palette.accent, (1.5, palette.panel));
         }
         self.paint_brush(painter, palette);
+        self.paint_garden_marks(painter, palette);
         self.paint_chosen_part(painter, palette);
         self.paint_ring(painter, palette);
         let Some(stroke) = &self.space.stroke else { return };

@@ -79,6 +79,9 @@ impl Localize for Remark {
             Self::NoSuchPlant { known } => {
                 fill(Msg::WarningNoSuchPlant, &[("known", &names_of(known, messages))])
             }
+            Self::NoSuchPlantInGarden { species, known } => no_bed(species, known, messages),
+            Self::NothingToPlant => fill(Msg::WarningNothingToPlant, &[]),
+            Self::GardenThinned { plants } => fill(Msg::WarningGardenThinned, &[("plants", plants)]),
             Self::PlantOutOfScale => fill(Msg::WarningPlantOutOfScale, &[]),
             Self::OfPlant { place, species, remark } => of_plant((*place, species), remark, messages),
             Self::More { count } => fill(Msg::WarningMore, &[("count", count)]),
@@ -96,6 +99,12 @@ fn of_plant((place, species): (usize, &str), remark: &Remark, messages: &Message
 fn names_of(species: &str, messages: &Messages) -> String {
     let names = species.split(", ").map(|species| messages.name(Named::Species, species));
     names.collect::<Vec<String>>().join(", ")
+}
+
+/// That no bed is of a species.
+fn no_bed(species: &str, known: &str, messages: &Messages) -> String {
+    let (species, known) = (names_of(species, messages), names_of(known, messages));
+    messages.fill(Msg::WarningNoSuchPlantInGarden, &[("species", &species), ("known", &known)])
 }
 
 fn words_of(reading: Reading) -> Msg {
@@ -188,7 +197,12 @@ mod tests {
             Remark::ThinsCrown => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },
             Remark::LooksLike { .. } => Remark::NoSuchPlant { known: "oak".to_owned() },
-            Remark::NoSuchPlant { .. } => Remark::PlantOutOfScale,
+            Remark::NoSuchPlant { .. } => {
+                Remark::NoSuchPlantInGarden { species: "daisy".to_owned(), known: "oak".to_owned() }
+            }
+            Remark::NoSuchPlantInGarden { .. } => Remark::NothingToPlant,
+            Remark::NothingToPlant => Remark::GardenThinned { plants: 62 },
+            Remark::GardenThinned { .. } => Remark::PlantOutOfScale,
             Remark::PlantOutOfScale => {
                 let remark = Box::new(Remark::GrownTooLarge { years: 60 });
                 Remark::OfPlant { place: 59, species: "oak".to_owned(), remark }
@@ -211,7 +225,7 @@ mod tests {
         for warning in every_kind() {
             let words = match &warning.remark {
                 // Files and the command line name species otherwise than the window.
-                Remark::DoesNotGrow { .. } => {
+                Remark::DoesNotGrow { .. } | Remark::NoSuchPlantInGarden { .. } => {
                     warning.to_string().replace("`daisy`", "`Daisy`").replace("oak", "Oak")
                 }
                 Remark::NoSuchPlant { .. } | Remark::OfPlant { .. } | Remark::LooksLike { .. } => {

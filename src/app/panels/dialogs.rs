@@ -5,7 +5,7 @@ use super::icons::{self, Icon};
 use super::snapshot::{Dialog, PathPurpose, Recovered, Snapshot};
 use super::toolbar::TOOLS;
 use super::widgets::{IconButton, note, palette, text_button};
-use super::{beside, path_dialog, pen};
+use super::{beside, garden, path_dialog, pen};
 use super::{export, widgets};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -18,7 +18,7 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
     let Some(dialog) = &snapshot.dialog else { return };
     let screen = ctx.content_rect();
     let width = match dialog {
-        Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_) => 640.0,
+        Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_) | Dialog::GardenSpecies => 640.0,
         Dialog::Path(_) | Dialog::Recovery(_) => 560.0,
         Dialog::Unsaved | Dialog::Replace { .. } | Dialog::Export => 440.0,
     };
@@ -40,12 +40,14 @@ pub fn show(ctx: &Context, snapshot: &Snapshot, messages: &Messages, out: &mut V
             Dialog::PlantSpecies(place) => {
                 beside::dialog(ui, *place, screen.height(), snapshot, messages, out)
             }
+            Dialog::GardenSpecies => garden::dialog(ui, screen.height(), snapshot, messages, out),
             Dialog::About => about(ui, screen.height(), messages, out),
         }
     });
     // a tap beside the dialog must not throw a question away that somebody has to answer
-    let may_leave = matches!(dialog, Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_))
-        || (matches!(dialog, Dialog::Export) && snapshot.task.is_none());
+    let may_leave =
+        matches!(dialog, Dialog::About | Dialog::Pen | Dialog::PlantSpecies(_) | Dialog::GardenSpecies)
+            || (matches!(dialog, Dialog::Export) && snapshot.task.is_none());
     let escaped = ctx.input(|i| i.key_pressed(egui::Key::Escape));
     if out.is_empty() && ((modal.should_close() && may_leave) || (escaped && snapshot.task.is_none())) {
         out.push(Action::CloseDialog);
@@ -60,6 +62,7 @@ fn title(dialog: &Dialog) -> Msg {
         Dialog::Export => Msg::ExportTitle,
         Dialog::PlantSpecies(None) => Msg::BesideAddTitle,
         Dialog::PlantSpecies(Some(_)) => Msg::BesideChangeTitle,
+        Dialog::GardenSpecies => Msg::GardenSpeciesTitle,
         Dialog::Pen => Msg::PenTitle,
         Dialog::About => Msg::AboutTitle,
         Dialog::Path(request) => match request.purpose {
@@ -233,6 +236,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("K", Msg::PetalsShape),
         ("W", Msg::SpaceDraw),
         ("J", Msg::PoseParts),
+        ("N", Msg::Garden),
         ("U", Msg::BrushGrow),
         ("X", Msg::BrushPrune),
         ("Y", Msg::BrushLeaves),

@@ -33,7 +33,9 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
     };
     note(ui, messages.get(about));
     match choice.format {
-        ExportFormat::Obj | ExportFormat::Glb => model(ui, &mut choice, messages),
+        ExportFormat::Obj | ExportFormat::Glb => {
+            model(ui, &mut choice, snapshot.garden.plants.is_some(), messages)
+        }
         ExportFormat::Png => picture(ui, &mut choice, messages),
         ExportFormat::Svg => {}
     }
@@ -70,7 +72,7 @@ fn name(format: ExportFormat) -> &'static str {
     }
 }
 
-fn model(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) {
+fn model(ui: &mut Ui, choice: &mut ExportChoice, has_garden: bool, messages: &Messages) {
     for (msg, on) in [
         (Msg::ExportBranches, &mut choice.branches),
         (Msg::ExportLeaves, &mut choice.leaves),
@@ -81,6 +83,9 @@ fn model(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) {
         if let Some(new) = switch(ui, messages.get(msg), *on) {
             *on = new;
         }
+    }
+    if has_garden && let Some(garden) = switch(ui, messages.get(Msg::ExportGarden), choice.garden) {
+        choice.garden = garden;
     }
     if choice.format == ExportFormat::Glb
         && let Some(copies) = switch(ui, messages.get(Msg::ExportCopies), choice.copies)

@@ -14,6 +14,7 @@ pub mod dialogs;
 pub mod export;
 mod focus;
 pub mod frame;
+mod garden;
 pub mod growth;
 pub mod icons;
 pub mod legend;

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 37] = [
+const ORDER: [&str; 38] = [
     "depth.world",
     "season",
     "flower",
@@ -30,6 +30,7 @@ const ORDER: [&str; 37] = [
     "rose",
     "growth",
     "obstacle",
+    "garden",
     "habit",
     "habit.crown",
     "habit.climb",

@@ -3,9 +3,9 @@
 
 use super::snapshot::Snapshot;
 use super::widgets::{card, note};
-use super::{brush, petals, pose, space};
+use super::{brush, garden, petals, pose, space};
 use crate::app::action::Action;
-use crate::app::messages::Messages;
+use crate::app::messages::{Messages, Msg};
 use egui::{Align2, Area, Context, Id, Margin, Order, Rect, vec2};
 
 /// Width of the card while a tool is in hand, logical pixels, where there is room.
@@ -24,7 +24,9 @@ pub(super) fn show(
     let of_brushes = snapshot.brush;
     let has_wood = of_branches.any || of_branches.on || of_brushes.tool.is_some();
     let has_parts = of_poses.any || of_poses.on;
-    if !(has_petals || has_wood || has_parts) || plant.width() < 80.0 {
+    let of_garden = &snapshot.garden;
+    let has_garden = of_garden.any || of_garden.on;
+    if !(has_petals || has_wood || has_parts || has_garden) || plant.width() < 80.0 {
         return;
     }
     let corner = plant.left_bottom() + vec2(12.0, -12.0);
@@ -47,7 +49,13 @@ pub(super) fn show(
                 if has_petals {
                     petals::button(ui, &of_petals, messages, out);
                 }
+                if has_garden {
+                    garden::button(ui, of_garden, messages, out);
+                }
             });
+            if of_garden.on {
+                garden::options(ui, of_garden, messages, out);
+            }
             if of_branches.on || of_poses.on || of_petals.on {
                 ui.horizontal(|ui| match (of_branches.on, of_poses.on) {
                     (true, _) => space::options(ui, &of_branches, messages, out),
@@ -58,11 +66,16 @@ pub(super) fn show(
             let said = of_petals.on.then(|| petals::said(&of_petals));
             let said = said.or_else(|| of_branches.on.then(|| space::said(&of_branches)));
             let said = said.or_else(|| of_brushes.tool.map(brush::said));
+            let said = said.or_else(|| of_garden.on.then(|| garden::said(of_garden)));
             if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
                 ui.set_max_width(WIDTH.min(plant.width() - 32.0));
                 brush::rails(ui, &of_brushes, messages, out);
                 pose::rails(ui, &of_poses, messages, out);
+                garden::rails(ui, of_garden, messages, out);
                 note(ui, messages.get(said));
+                if let Some(count) = of_garden.plants.filter(|_| of_garden.on) {
+                    note(ui, &messages.fill(Msg::GardenCount, &[("count", &count)]));
+                }
             }
         });
     });

@@ -5,7 +5,7 @@ use crate::app::plant_view::PlantView;
 use crate::app::tool::Tool;
 use crate::pen::{PenPhase, PenSample};
 
-/// Draws a line, which begins where the pen has moved farther than in a tap; a tap picks.
+/// Draws a line, which begins where the pen has moved farther than in a tap; a tap picks, or is drawn as well.
 #[derive(Debug, Default)]
 pub(super) struct Draw {
     begun: Option<PenSample>,
@@ -13,6 +13,8 @@ pub(super) struct Draw {
     pub(super) slop: f64,
     /// It has moved farther, and so is a line.
     is_line: bool,
+    /// Whether what draws takes a tap, too.
+    pub(super) takes_taps: bool,
     pub(super) pick: Pick,
 }
 
@@ -31,7 +33,7 @@ impl Tool<PlantView> for Draw {
     }
 
     fn end(&mut self, sample: &PenSample, view: &mut PlantView) {
-        if self.is_line {
+        if self.is_line || self.takes_taps {
             return view.draw(PenPhase::Up, sample);
         }
         view.draw(PenPhase::Cancel, sample);

@@ -25,6 +25,8 @@ pub struct Keys {
     pub over_carried: bool,
     /// The pointer is where a branch can begin, and the tool that draws them is in hand.
     pub draws: bool,
+    /// What draws takes a tap as well as a line.
+    pub taps_draw: bool,
 }
 
 /// Which of the tools is at work.
@@ -131,6 +133,7 @@ impl PlantHand {
     fn begin(&mut self, sample: &PenSample, keys: Keys, view: &mut PlantView) {
         self.pick.besides = keys.shift;
         (self.draw.pick.besides, self.draw.slop) = (keys.shift, slop(sample, view));
+        self.draw.takes_taps = keys.taps_draw;
         let at_work = match (&self.own, keys.draws) {
             (Some(_), _) => AtWork::Own,
             (None, true) => AtWork::Draw,

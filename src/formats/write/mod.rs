@@ -27,6 +27,7 @@ pub use scene::{InstanceForm, PlantAndProvenance, Scene};
 use crate::atomic::WriteError;
 use crate::file_system::System;
 use crate::formats::textures::{self, BuiltInTextures};
+use crate::garden::Garden;
 use crate::input::Sources;
 use crate::model::{InstancedModel, Model};
 use std::borrow::Cow;
@@ -85,48 +86,74 @@ fn encode(path: &Path, format: &dyn Exporter, scene: &Scene<'_>) -> Result<Prepa
     Ok(Prepared { files: beside.chain([(path.to_owned(), bytes.into())]).collect() })
 }
 
-/// Writes a model in several formats, and returns the number of bytes of all files together. All are encoded before the
+/// The surfaces that are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Surfaces<'a> {
+    /// Those of the plant.
+    pub model: &'a Model,
+    /// As in [`Scene`] for a model that holds several levels of detail of one plant; empty for one level. Formats other than glTF have no
+    /// word for levels and write all of them as plants.
+    pub level_of_specimen: &'a [usize],
+    /// The garden around it. Its plants stay copies of few shapes in the formats that can say so.
+    pub garden: Option<&'a Garden>,
+}
+
+impl<'a> From<&'a Model> for Surfaces<'a> {
+    fn from(model: &'a Model) -> Self {
+        Self { model, level_of_specimen: &[], garden: None }
+    }
+}
+
+impl<'a> Surfaces<'a> {
+    /// All triangles by themselves.
+    fn flat(&self) -> Cow<'a, Model> {
+        let Some(garden) = self.garden else { return self.model.flattened() };
+        let mut all = self.model.clone();
+        garden.join(&mut all);
+        Cow::Owned(all.flattened().into_owned())
+    }
+
+    /// With copies of one shape: the garden's plants, and the plant's own organs where these are wanted.
+    fn copies(&self, of_organs: bool) -> InstancedModel {
+        let mut all = match of_organs {
+            true => InstancedModel::from(self.model),
+            false => InstancedModel { model: self.model.flattened().into_owned(), groups: Vec::new() },
+        };
+        self.garden.iter().for_each(|garden| garden.join_instanced(&mut all));
+        all
+    }
+}
+
+/// Writes surfaces in several formats, and returns the number of bytes of all files together. All are encoded before the
 /// first is written, and nothing is written if any of their files is one of the `sources` or a picture of the model.
 /// Where a form of `instances` is given, copies of one shape stay copies in the formats that can say so.
 ///
 /// # Errors
 /// [`ExportError`]; no file is left half written.
-pub fn export_all(
+pub fn export_all<'a>(
     paths: &[PathBuf],
-    model: &Model,
+    surfaces: impl Into<Surfaces<'a>>,
     plant: PlantAndProvenance<'_>,
     built_in: &BuiltInTextures<'_>,
     instances: Option<InstanceForm>,
     sources: &Sources,
 ) -> Result<usize, ExportError> {
-    export_levels(paths, (model, &[]), plant, built_in, instances, sources)
-}
-
-/// Writes a model that holds several levels of detail of one plant; `level_of_specimen` is as in [`Scene`], and empty for a model
-/// of one level. Formats other than glTF have no word for levels and write all of them as plants.
-///
-/// # Errors
-/// As [`export_all`].
-pub fn export_levels(
-    paths: &[PathBuf],
-    (model, level_of_specimen): (&Model, &[usize]),
-    plant: PlantAndProvenance<'_>,
-    built_in: &BuiltInTextures<'_>,
-    instances: Option<InstanceForm>,
-    sources: &Sources,
-) -> Result<usize, ExportError> {
+    let surfaces = surfaces.into();
+    let Surfaces { model, level_of_specimen, garden } = surfaces;
     model.check_invariants().map_err(ExportError::Unsound)?;
     let (flat, instanced, no_surfaces) = (OnceCell::new(), OnceCell::new(), Model::default());
+    let form = instances.or(garden.map(|_| InstanceForm::Nodes));
     let prepare = |path: &PathBuf| -> Result<Prepared, ExportError> {
         let format = format_of(path)?;
         let scene = |model| Scene::new(model, plant, built_in, stem(path));
-        let scene = match (format.takes(), instances) {
+        let scene = match (format.takes(), form) {
             (Takes::Plant, _) => scene(&no_surfaces)?,
             (Takes::Copies, Some(form)) => {
-                let InstancedModel { model, groups } = instanced.get_or_init(|| InstancedModel::from(model));
+                let InstancedModel { model, groups } =
+                    instanced.get_or_init(|| surfaces.copies(instances.is_some()));
                 scene(model)?.with_instances(groups, form)?
             }
-            (Takes::Copies | Takes::Triangles, _) => scene(flat.get_or_init(|| model.flattened()))?,
+            (Takes::Copies | Takes::Triangles, _) => scene(flat.get_or_init(|| surfaces.flat()))?,
         };
         encode(path, format, &Scene { level_of_specimen, ..scene })
     };

@@ -2,6 +2,7 @@
 
 use super::corrections::CorrectionsSeed;
 use super::fault;
+use super::garden::GardenSeed;
 use super::params::GroupSeed;
 use super::part_poses::PartPosesSeed;
 use super::petal_shapes::PetalShapesSeed;
@@ -16,8 +17,8 @@ use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{
-    Brush, Canvas, Corrections, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Textures, Tool,
-    limits,
+    Brush, Canvas, Corrections, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant, Reference,
+    Textures, Tool, limits,
 };
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -55,6 +56,7 @@ enum SketchField {
     PetalShapes,
     #[serde(rename = "wood_poses")]
     PartPoses,
+    Garden,
     Strokes,
 }
 
@@ -100,6 +102,7 @@ struct Fields {
     corrections: Option<Corrections>,
     petal_shapes: Option<PetalShapes>,
     part_poses: Option<PartPoses>,
+    garden: Option<GardenStrokes>,
     strokes: Option<Vec<DraftStroke>>,
 }
 
@@ -153,6 +156,9 @@ impl Fields {
             SketchField::PartPoses => {
                 set_once(&mut self.part_poses, map.next_value_seed(PartPosesSeed(progress))?, "wood_poses")?;
             }
+            SketchField::Garden => {
+                set_once(&mut self.garden, map.next_value_seed(GardenSeed(progress))?, "garden")?;
+            }
             SketchField::Pictures => {
                 set_once(&mut self.pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
             }
@@ -169,7 +175,9 @@ impl Fields {
     /// The drawing that the fields are, once all have been read.
     fn draft<E: Error>(self, progress: &Progress) -> Result<Draft, E> {
         let Self { format, version, canvas, species, seed, params, textures, .. } = self;
-        let Self { reference, pictures, plants, corrections, petal_shapes, part_poses, strokes, .. } = self;
+        let Self {
+            reference, pictures, plants, corrections, petal_shapes, part_poses, garden, strokes, ..
+        } = self;
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
             return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
@@ -191,6 +199,7 @@ impl Fields {
             corrections: corrections.unwrap_or_default(),
             petal_shapes: petal_shapes.unwrap_or_default(),
             part_poses: part_poses.unwrap_or_default(),
+            garden: garden.unwrap_or_default(),
             strokes,
         })
     }

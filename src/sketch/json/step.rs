@@ -7,6 +7,7 @@
 //! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
 
 use super::corrections::{self, CorrectionList};
+use super::garden::{self, GardenList};
 use super::parse::StrokeSeed;
 use super::part_poses::{self, PartPoseList};
 use super::petal_shapes::{self, PetalShapeList};
@@ -60,6 +61,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
         corrections,
         petal_shapes,
         part_poses,
+        garden,
     } = &step.after;
     push_field(&mut out, "canvas", canvas);
     push_field(&mut out, "species", species);
@@ -70,6 +72,7 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
     push_list(&mut out, "petal_shapes", petal_shapes.as_deref(), petal_shapes::push);
     push_list(&mut out, "wood_poses", part_poses.as_deref(), part_poses::push);
+    push_list(&mut out, "garden", garden.as_deref(), garden::push);
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -115,6 +118,7 @@ struct StepText {
     petal_shapes: Option<PetalShapeList>,
     #[serde(rename = "wood_poses")]
     part_poses: Option<PartPoseList>,
+    garden: Option<GardenList>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -200,7 +204,9 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, part_poses, .. } = text;
+    let StepText {
+        canvas, species, seed, params, plants, corrections, petal_shapes, part_poses, garden, ..
+    } = text;
     let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
     let (petal_shapes, part_poses) = (petal_shapes.map(|list| list.0), part_poses.map(|list| list.0));
     let settings = Settings {
@@ -214,6 +220,7 @@ pub(in crate::sketch) fn replay(
         corrections,
         petal_shapes,
         part_poses,
+        garden: garden.map(|list| list.0),
     };
     settings.carry_out(sketch);
     Ok(())

@@ -3,7 +3,7 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::number::push_number;
-use super::{FORMAT, corrections, part_poses, petal_shapes, plants, version_of};
+use super::{FORMAT, corrections, garden, part_poses, petal_shapes, plants, version_of};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Brush, Sketch, Stroke, StrokePoint};
@@ -33,6 +33,7 @@ pub fn write(sketch: &Sketch) -> String {
     push_lines(&mut out, "corrections", &sketch.corrections, corrections::push);
     push_lines(&mut out, "petal_shapes", &sketch.petal_shapes, petal_shapes::push);
     push_lines(&mut out, "wood_poses", &sketch.part_poses, part_poses::push);
+    push_lines(&mut out, "garden", &sketch.garden, garden::push);
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
         out.push_str(if i == 0 { "\n    " } else { ",\n    " });

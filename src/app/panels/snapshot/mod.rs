@@ -4,6 +4,7 @@
 
 mod beside;
 mod brush;
+mod garden;
 mod params;
 mod pen;
 mod petals;
@@ -14,6 +15,7 @@ mod status;
 
 pub use beside::{BesideState, PlantState};
 pub use brush::BrushState;
+pub use garden::GardenState;
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use petals::{PetalPoint, PetalState};
@@ -91,6 +93,8 @@ pub struct Snapshot {
     pub space: SpaceState,
     /// The brushes.
     pub brush: BrushState,
+    /// The garden around the plant.
+    pub garden: GardenState,
     /// Branches that are being turned and bent.
     pub pose: PoseState,
     /// Presets in the artist's folder.

@@ -17,6 +17,8 @@ pub struct ParamValues {
     pub species: BTreeMap<String, f64>,
     /// What the artist changed; switches are 0 or 1, one of several names is its place among them.
     pub own: BTreeMap<String, f64>,
+    /// Whether there is a garden.
+    pub has_garden: bool,
 }
 
 impl ParamValues {
@@ -39,10 +41,16 @@ impl ParamValues {
         self
     }
 
+    /// The same of a drawing that has a garden or not.
+    pub fn with_garden(self, has_garden: bool) -> Self {
+        Self { has_garden, ..self }
+    }
+
     /// Whether a parameter means something for this plant: growth habits are those of plants that grow.
     pub fn applies(&self, path: &str) -> bool {
         let of_habit = path.strip_prefix(HABIT).is_some_and(|rest| rest.starts_with('.'));
-        !of_habit || self.species.contains_key(path)
+        let is_missed = path.starts_with("garden.") && !self.has_garden;
+        !is_missed && (!of_habit || self.species.contains_key(path))
     }
 }
 

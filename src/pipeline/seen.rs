@@ -1,4 +1,5 @@
-//! What stands beside a plant, as a part of its model: for pictures and the window, not for files, where the artist's scene has it.
+//! What is seen of a plant: its model with its garden, and what stands in its way. The latter is for pictures and the window, not for files,
+//! where the artist's scene has it.
 
 use super::finish::Built;
 use crate::growth::Obstacles;
@@ -11,12 +12,16 @@ use std::sync::Arc;
 /// Linear colour of stone and weathered wood.
 const COLOUR: [f32; 3] = [0.46, 0.42, 0.37];
 
-/// What is seen of a plant: its model, with what stands beside it.
+/// What is seen of a plant: its model with its garden, and what stands in its way.
 pub fn seen(built: &Built) -> Cow<'_, Model> {
-    match &built.obstacles {
-        Some(obstacles) => Cow::Owned(with_obstacles(&built.model, obstacles)),
-        None => Cow::Borrowed(&built.model),
+    let mut seen = Cow::Borrowed(&built.model);
+    if let Some(garden) = &built.garden {
+        garden.join(seen.to_mut());
     }
+    if let Some(obstacles) = &built.obstacles {
+        seen = Cow::Owned(with_obstacles(&seen, obstacles));
+    }
+    seen
 }
 
 fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {

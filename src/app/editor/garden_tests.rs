@@ -1,0 +1,119 @@
+//! Painting a garden in the view of the plant: pens, mice and fingers, taps, undo, files, the camera.
+
+use super::*;
+use crate::app::editor::test_window::{build, frame, touch, with_sketch};
+use crate::app::garden_brush::GardenBrushKind;
+use crate::sketch::{GardenTool, json};
+use egui::{Key, Modifiers};
+
+/// A place in the window, physical pixels, where the ground is seen so far from the plant, metres.
+fn seen(editor: &Editor, x: f32, z: f32) -> DVec2 {
+    editor.plant.seen_at(Vec3::new(x, 0.0, z)).unwrap()
+}
+
+fn drag(editor: &mut Editor, tool: PenTool, from: DVec2, to: DVec2) {
+    touch(editor, (PenPhase::Down, tool), from, 0.5);
+    for k in 1..=10 {
+        touch(editor, (PenPhase::Move, tool), from.lerp(to, f64::from(k) / 10.0), 0.5);
+    }
+    touch(editor, (PenPhase::Up, tool), to, 0.0);
+}
+
+fn opened(home: &tempfile::TempDir) -> (Editor, egui::Context) {
+    let (mut editor, egui) = with_sketch(home, "balloon_flower");
+    editor.key(Key::N, Modifiers::NONE, true, false);
+    assert!(editor.garden_state().on);
+    frame(&mut editor, &egui);
+    (editor, egui)
+}
+
+#[test]
+fn any_pointer_paints_a_bed_as_one_step() {
+    for tool in [PenTool::Pen, PenTool::Mouse, PenTool::Finger(2)] {
+        let home = tempfile::tempdir().unwrap();
+        let (mut editor, _egui) = opened(&home);
+        let (camera, before) = (editor.plant.camera(), editor.built().unwrap().model.clone());
+        let (from, to) = (seen(&editor, -0.4, 0.4), seen(&editor, 0.4, 0.4));
+        drag(&mut editor, tool, from, to);
+        assert_eq!(editor.plant.camera(), camera, "{tool:?}: it paints, the camera stays");
+        build(&mut editor);
+        let strokes = &editor.sketch().garden;
+        assert_eq!(strokes.len(), 1, "{tool:?}");
+        assert_eq!(strokes[0].tool, GardenTool::Plants(None));
+        let ends = [strokes[0].points[0].at, strokes[0].points.last().unwrap().at];
+        assert!(ends[0].distance(glam::Vec2::new(-0.4, 0.4)) < 0.01, "{tool:?}: {ends:?}");
+        assert!(ends[1].distance(glam::Vec2::new(0.4, 0.4)) < 0.05, "{tool:?}: {ends:?}");
+        let plants = editor.garden_state().plants.unwrap();
+        assert!(plants > 2, "{tool:?}: {plants}");
+        assert_eq!(editor.built().unwrap().model, before, "{tool:?}: the drawn plant is as it was");
+        let text = json::write(editor.sketch());
+        let again = crate::sketch::from_bytes(text.as_bytes(), "a.penstemon").unwrap().0;
+        assert_eq!(&again, editor.sketch(), "{tool:?}: its file keeps it");
+        editor.perform(Action::Undo);
+        build(&mut editor);
+        assert!(editor.sketch().garden.is_empty() && editor.garden_state().plants.is_none(), "{tool:?}");
+    }
+}
+
+#[test]
+fn a_tap_plants_one_and_the_garden_grows_while_the_pen_moves() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _egui) = opened(&home);
+    let at = seen(&editor, 0.3, 0.3);
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), at, 0.5);
+    touch(&mut editor, (PenPhase::Up, PenTool::Pen), at, 0.0);
+    build(&mut editor);
+    assert_eq!(editor.garden_state().plants, Some(1));
+    assert!(editor.sketch().garden[0].points.len() == 1);
+    let brush = GardenBrush { species: Some("daisy".to_owned()), ..editor.garden_state().brush };
+    editor.perform(Action::SetGardenBrush(brush));
+    let (from, to) = (seen(&editor, -0.5, 0.5), seen(&editor, 0.5, 0.5));
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), from, 0.5);
+    touch(&mut editor, (PenPhase::Move, PenTool::Pen), to, 0.5);
+    build(&mut editor);
+    assert!(editor.garden_state().plants > Some(3), "{:?}", editor.garden_state().plants);
+    assert_eq!(editor.sketch().garden.len(), 1, "it does not count yet");
+    touch(&mut editor, (PenPhase::Cancel, PenTool::Pen), to, 0.0);
+    build(&mut editor);
+    assert_eq!(editor.garden_state().plants, Some(1));
+}
+
+#[test]
+fn paths_and_clearings_are_painted_and_the_sky_is_not() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = opened(&home);
+    for (kind, tool) in
+        [(GardenBrushKind::Path, GardenTool::Path), (GardenBrushKind::Clear, GardenTool::Clear)]
+    {
+        editor.perform(Action::SetGardenBrush(GardenBrush { kind, ..editor.garden_state().brush }));
+        let (from, to) = (seen(&editor, -0.5, 0.5), seen(&editor, 0.5, 0.5));
+        drag(&mut editor, PenTool::Mouse, from, to);
+        assert_eq!(editor.sketch().garden.last().unwrap().tool, tool);
+    }
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    // From the front the ground is a line, and a drag turns the view.
+    editor.perform(Action::FrontView);
+    std::thread::sleep(std::time::Duration::from_millis(400));
+    frame(&mut editor, &egui);
+    let middle = editor.plant.seen_at(editor.plant.camera().target).unwrap();
+    drag(&mut editor, PenTool::Mouse, middle, middle + DVec2::new(80.0, 0.0));
+    assert_eq!(editor.sketch().garden.len(), 2);
+}
+
+#[test]
+fn the_ground_is_looked_at_from_above_and_the_brush_fits_the_plant() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, _egui) = opened(&home);
+    assert!(editor.plant.camera().pitch_deg >= 30.0);
+    let (low, high) = editor.plant.bounds().unwrap();
+    let width = (high - low).xz().max_element();
+    let radius = editor.garden_state().brush.radius;
+    assert!((radius - width).abs() < 0.03, "{radius} {width}");
+    editor.perform(Action::SetGardenBrush(GardenBrush { radius: 0.11, ..editor.garden_state().brush }));
+    editor.perform(Action::PaintGarden(false));
+    editor.perform(Action::PaintGarden(true));
+    assert_eq!(editor.garden_state().brush.radius, 0.11, "what the artist says stays");
+    editor.key(Key::U, Modifiers::NONE, true, false);
+    assert!(!editor.garden_state().on, "one tool at a time");
+}

@@ -1,0 +1,33 @@
+//! The tool that paints a garden: how its brush is set, and the stroke under the pen.
+
+use crate::app::garden_brush::GardenBrush;
+use crate::sketch::GardenStroke;
+use glam::DVec2;
+
+/// The tool that paints a garden.
+#[derive(Debug, Default)]
+pub(super) struct GardenPainting {
+    pub(super) is_on: bool,
+    pub(super) brush: GardenBrush,
+    /// The artist has said how wide it is.
+    pub(super) is_set: bool,
+    /// The garden of this drawing was looked at from above.
+    pub(super) is_shown: bool,
+    /// What is under the pen.
+    pub(super) stroke: Option<GardenStroke>,
+    /// Where the pointer hovers over the plant, physical pixels of the window.
+    pub(super) hovered: Option<DVec2>,
+}
+
+impl GardenPainting {
+    /// Forgets what belongs to another drawing.
+    pub(super) fn let_go(&mut self) {
+        (self.stroke, self.hovered) = (None, None);
+    }
+
+    /// Forgets the drawing.
+    pub(super) fn forget(&mut self) {
+        self.let_go();
+        self.is_shown = false;
+    }
+}

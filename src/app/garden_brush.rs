@@ -1,0 +1,48 @@
+//! The brush that paints a garden on the ground, as the artist sets it.
+
+use crate::sketch::GardenTool;
+
+/// What the brush paints.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GardenBrushKind {
+    /// Plants.
+    #[default]
+    Plants,
+    /// A path.
+    Path,
+    /// Nothing: it clears.
+    Clear,
+}
+
+/// How it is set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GardenBrush {
+    /// What it paints.
+    pub kind: GardenBrushKind,
+    /// Species of the plants; none for copies of the drawn one.
+    pub species: Option<String>,
+    /// How far it reaches to either side, metres.
+    pub radius: f32,
+    /// How densely plants stand where the pen is pressed as usual.
+    pub density: f32,
+}
+
+impl GardenBrush {
+    /// Smallest and largest radius on the slider, metres.
+    pub const RADII: (f32, f32) = (0.05, 10.0);
+
+    /// What a stroke with it does.
+    pub fn tool(&self) -> GardenTool {
+        match self.kind {
+            GardenBrushKind::Plants => GardenTool::Plants(self.species.clone()),
+            GardenBrushKind::Path => GardenTool::Path,
+            GardenBrushKind::Clear => GardenTool::Clear,
+        }
+    }
+}
+
+impl Default for GardenBrush {
+    fn default() -> Self {
+        Self { kind: GardenBrushKind::Plants, species: None, radius: 0.4, density: 1.0 }
+    }
+}

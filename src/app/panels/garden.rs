@@ -1,0 +1,146 @@
+//! The tool that paints a garden on the ground, as the card over the plant shows it: what the brush paints, of which species, how wide
+//! and how densely.
+
+use super::icons::Icon;
+use super::rail::{Rail, RailChange, Scale};
+use super::snapshot::{Dialog, GardenState, Snapshot};
+use super::widgets::{IconButton, note, text_button};
+use super::{export, thumbnails, tiles};
+use crate::app::action::Action;
+use crate::app::garden_brush::{GardenBrush, GardenBrushKind};
+use crate::app::messages::{Messages, Msg, Named};
+use crate::app::theme::TARGET;
+use crate::sketch::BRUSH_DENSITIES;
+use crate::species::Species;
+use egui::{ScrollArea, Ui};
+
+/// Species in a row of the dialog.
+const COLUMNS: usize = 7;
+/// Height of a window that the pictures in the dialog leave to everything else.
+const AROUND_TILES: f32 = 260.0;
+
+/// What the brush paints, each with what it is called and what it is for.
+const KINDS: [(GardenBrushKind, Icon, Msg, Msg); 3] = [
+    (GardenBrushKind::Plants, Icon::GardenPlants, Msg::GardenPlants, Msg::GardenPlantsHint),
+    (GardenBrushKind::Path, Icon::GardenPath, Msg::GardenPath, Msg::GardenPathHint),
+    (GardenBrushKind::Clear, Icon::GardenClear, Msg::GardenClear, Msg::GardenClearHint),
+];
+
+/// The tool.
+pub(super) fn button(ui: &mut Ui, state: &GardenState, messages: &Messages, out: &mut Vec<Action>) {
+    let name = messages.get(Msg::Garden);
+    let hint = format!("{name} (N)\n{}", messages.get(Msg::GardenHint));
+    if IconButton::new(Icon::Garden, name).hint(hint).chosen(state.on).show(ui).clicked() {
+        out.push(Action::PaintGarden(!state.on));
+    }
+}
+
+/// What its brush paints.
+pub(super) fn options(ui: &mut Ui, state: &GardenState, messages: &Messages, out: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        for (kind, icon, name, hint) in KINDS {
+            let name = messages.get(name);
+            let button = IconButton::new(icon, name).hint(format!("{name}\n{}", messages.get(hint)));
+            if button.chosen(state.brush.kind == kind).show(ui).clicked() {
+                out.push(Action::SetGardenBrush(GardenBrush { kind, ..state.brush.clone() }));
+            }
+        }
+        if state.brush.kind == GardenBrushKind::Plants {
+            let label = named(state.brush.species.as_deref(), messages);
+            if text_button(ui, Some(Icon::Plant), &label, false).clicked() {
+                out.push(Action::ShowDialog(Dialog::GardenSpecies));
+            }
+        }
+    });
+}
+
+/// How the brush is set, side by side: what of its settings means anything.
+pub(super) fn rails(ui: &mut Ui, state: &GardenState, messages: &Messages, out: &mut Vec<Action>) {
+    if !state.on {
+        return;
+    }
+    let (now, usual) = (&state.brush, GardenBrush::default());
+    let rail = |ui: &mut Ui, msg: Msg, (min, max): (f32, f32), text: &str, (value, usual): (f32, f32)| {
+        let scale = Scale { min: min.into(), max: max.into(), whole: false };
+        let reset = (value != usual).then(|| messages.get(Msg::BrushReset));
+        let rail = Rail { label: messages.get(msg), text, scale, value: value.into(), reset };
+        let room = ui.available_width();
+        rail.show(ui, room).1.map(|change| match change {
+            RailChange::To(value) => value as f32,
+            RailChange::Reset => usual,
+        })
+    };
+    ui.columns(2, |columns| {
+        let width = format!("{:.2} m", 2.0 * now.radius);
+        let values = (now.radius, state.usual_radius);
+        let radius = rail(&mut columns[0], Msg::GardenWidth, GardenBrush::RADII, &width, values);
+        out.extend(radius.map(|radius| Action::SetGardenBrush(GardenBrush { radius, ..now.clone() })));
+        if now.kind == GardenBrushKind::Plants {
+            let percent = format!("{:.0} %", now.density * 100.0);
+            let (range, values) = (BRUSH_DENSITIES.into_inner(), (now.density, usual.density));
+            let density = rail(&mut columns[1], Msg::BrushDensity, range, &percent, values);
+            out.extend(density.map(|density| Action::SetGardenBrush(GardenBrush { density, ..now.clone() })));
+        }
+    });
+}
+
+/// What the pen does now.
+pub(super) fn said(state: &GardenState) -> Msg {
+    match state.brush.kind {
+        GardenBrushKind::Plants => Msg::GardenPlanting,
+        GardenBrushKind::Path => Msg::GardenPaving,
+        GardenBrushKind::Clear => Msg::GardenClearing,
+    }
+}
+
+fn named(species: Option<&str>, messages: &Messages) -> String {
+    species.map_or_else(
+        || messages.get(Msg::GardenDrawn).to_owned(),
+        |species| messages.name(Named::Species, species),
+    )
+}
+
+/// The dialog that chooses the species of the plants.
+pub(super) fn dialog(
+    ui: &mut Ui,
+    screen_height: f32,
+    snapshot: &Snapshot,
+    messages: &Messages,
+    out: &mut Vec<Action>,
+) {
+    note(ui, messages.get(Msg::GardenSpeciesHint));
+    let brush = &snapshot.garden.brush;
+    let choice = |species: Option<&str>| {
+        let brush = GardenBrush { species: species.map(str::to_owned), ..brush.clone() };
+        [Action::CloseDialog, Action::SetGardenBrush(brush)]
+    };
+    let names = Species::by_themselves();
+    let room = (screen_height - AROUND_TILES).max(TARGET);
+    ScrollArea::vertical().max_height(room).show(ui, |ui| {
+        tiles::grid(
+            ui,
+            COLUMNS,
+            names.len(),
+            |width| width + 22.0,
+            |ui, index, size| {
+                let name = names[index];
+                let is_chosen = brush.species.as_deref() == Some(name);
+                let (picture, label) =
+                    (thumbnails::of_species(ui.ctx(), name), messages.name(Named::Species, name));
+                if tiles::picture(ui, size, picture.as_ref(), &label, true, is_chosen).clicked() {
+                    out.extend(choice(Some(name)));
+                }
+            },
+        );
+    });
+    ui.add_space(10.0);
+    export::buttons(ui, |ui| {
+        if text_button(ui, None, messages.get(Msg::DialogCancel), false).clicked() {
+            out.push(Action::CloseDialog);
+        }
+        let drawn = messages.get(Msg::GardenDrawn);
+        if text_button(ui, Some(Icon::Plant), drawn, brush.species.is_none()).clicked() {
+            out.extend(choice(None));
+        }
+    });
+}

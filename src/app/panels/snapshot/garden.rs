@@ -1,0 +1,18 @@
+//! The garden around the plant, as the card over the view shows it.
+
+use crate::app::garden_brush::GardenBrush;
+
+/// How the garden is being painted.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GardenState {
+    /// Whether there is a plant to be surrounded, or a garden.
+    pub any: bool,
+    /// Whether the tool is in hand.
+    pub on: bool,
+    /// How its brush is set.
+    pub brush: GardenBrush,
+    /// Radius that its brush has where the artist says nothing, metres.
+    pub usual_radius: f32,
+    /// Plants that stand in the garden; none where there is no garden.
+    pub plants: Option<usize>,
+}

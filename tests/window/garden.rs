@@ -1,0 +1,56 @@
+//! A garden painted by mouse on the ground in the view of the plant.
+
+use crate::program::Program;
+use crate::screen::Screen;
+use crate::sketch_saved_by;
+use penstemon::sketch::{GardenTool, Sketch};
+use std::path::Path;
+use tempfile::TempDir;
+
+/// A stem with two leaves.
+const STEM: &str = r#"{"format": "penstemon-sketch", "version": 1, "canvas": {"width": 800, "height": 800}, "strokes": [
+    {"tool": "branch", "points": [[400, 780], [404, 600], [398, 400], [400, 200]]},
+    {"tool": "leaf", "points": [[402, 500], [450, 430], [560, 420], [480, 500], [402, 500]]},
+    {"tool": "leaf", "points": [[400, 420], [350, 350], [240, 340], [320, 420], [400, 420]]}]}"#;
+
+/// Saves, and reads the file.
+fn saved(screen: &Screen, program: &mut Program, file: &Path) -> Sketch {
+    screen.hand(&["key", "ctrl+s"]);
+    program.rest();
+    sketch_saved_by(file)
+}
+
+#[test]
+fn beds_and_single_plants_are_painted_and_each_is_one_step() {
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
+    let file = home.path().join("bed.penstemon");
+    std::fs::write(&file, STEM).unwrap();
+    let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
+    program.built();
+    let [left, top, width, height] = program.area("plant");
+    let at = |x: f64, y: f64| [left + x * width, top + y * height];
+
+    screen.hand(&["key", "n"]);
+    program.rest();
+    let bed: Vec<[f64; 2]> = (0..=10).map(|k| at(0.2 + 0.06 * f64::from(k), 0.5)).collect();
+    screen.draw(&bed);
+    program.built();
+    program.picture(&screen).keep("painted-bed");
+    let painted = saved(&screen, &mut program, &file);
+    assert_eq!(painted.garden.len(), 1);
+    assert_eq!(painted.garden[0].tool, GardenTool::Plants(None));
+    let (from, to) = (painted.garden[0].points[0].at, painted.garden[0].points.last().unwrap().at);
+    assert!(to.x - from.x > 0.3 && (to.y - from.y).abs() < 0.1, "{from} {to}");
+
+    let tap = at(0.7, 0.3);
+    screen.draw(&[tap, tap]);
+    program.built();
+    let tapped = saved(&screen, &mut program, &file);
+    assert_eq!((tapped.garden.len(), tapped.garden[1].points.len()), (2, 1), "one plant");
+
+    for left in [1, 0] {
+        screen.hand(&["key", "ctrl+z"]);
+        program.built();
+        assert_eq!(saved(&screen, &mut program, &file).garden.len(), left, "one step each");
+    }
+}
