@@ -18,6 +18,8 @@ const FLIGHT: Duration = Duration::from_millis(280);
 /// How far above the horizon the ground is looked at from, degrees, and how much of it is seen around the plant, in its sizes.
 const GROUND_PITCH: f32 = 45.0;
 const GROUND_ROOM: f32 = 1.6;
+/// Corners of what is looked at where nothing is drawn, metres.
+const NOTHING_DRAWN: (Vec3, Vec3) = (Vec3::new(-0.5, 0.0, -0.5), Vec3::new(0.5, 0.5, 0.5));
 /// How far the middle is lifted then, shares of the view's height: below lies the card of the tools.
 const GROUND_LIFT: f32 = 0.14;
 /// Turn of the turntable, degrees per second.
@@ -316,7 +318,7 @@ impl PlantView {
         if self.camera.pitch_deg >= GROUND_PITCH {
             return;
         }
-        let Some((low, high)) = self.bounds else { return };
+        let (low, high) = *self.bounds.get_or_insert(NOTHING_DRAWN);
         let room = GROUND_ROOM * (high - low).max_element();
         let around = match garden {
             Some((l, h)) => (low.min(l), high.max(h)),

@@ -2,8 +2,9 @@
 //!
 //! Strokes lie over each other in their order. At a point the plants of a kind are as dense as the densest of its strokes there, until a
 //! stroke clears them; paths keep everything off. Each kind has two lattices of tiles of its own, one in which every plant has room and one
-//! for what stands more densely, and takes the spots whose rank is below the density there: more pressure adds plants and moves none. Kinds come from the widest to the
-//! narrowest, and a spot stays free where plants that are there need the room. A tap is one plant in that very place.
+//! for what stands more densely, and takes the spots whose rank is below the density there: more pressure adds plants and moves none.
+//! Kinds come from the widest to the narrowest, and a spot stays free where plants that are there need the room. A tap is one plant in that
+//! very place.
 //!
 //! Plants are known by their kind's name and their spot, so they stay when other strokes come and go.
 //!
@@ -66,7 +67,6 @@ const SPARSEST: f32 = 0.1;
 const TAP: f32 = 0.3;
 /// Least width of a plant, metres: of what is narrower more stand in a bed than anybody looks at.
 const NARROWEST: f32 = 0.04;
-
 /// Sides of a disc in the hull of the ground.
 const HULL_SIDES: u8 = 12;
 
@@ -219,9 +219,17 @@ impl<'a> Beds<'a> {
 
     /// How many tiles may be looked through for a kind: every spot is held against the pieces of all strokes near it.
     fn most_tiles(&self) -> usize {
-        let pieces: usize = self.strokes.iter().map(|bed| bed.line.len()).sum();
         let spots = (TILES.density() * TILES.side() * TILES.side()) as usize;
-        GardenBudget::PAINTED_TILES.min(GardenBudget::PAINTED_EFFORT / (spots * pieces).max(1))
+        GardenBudget::PAINTED_TILES.min(GardenBudget::PAINTED_EFFORT / (spots * self.pieces()).max(1))
+    }
+
+    /// How many tiles of the box around its beds may be looked at for a kind.
+    fn widest_box(&self) -> usize {
+        GardenBudget::PAINTED_BOX.min(GardenBudget::PAINTED_EFFORT / self.pieces().max(1))
+    }
+
+    fn pieces(&self) -> usize {
+        self.strokes.iter().map(|bed| bed.line.len()).sum()
     }
 
     /// How far a point is from the nearest path, as far as that was not cleared, metres; negative on it.
@@ -341,9 +349,9 @@ impl Lattice<'_> {
             let is_near = |bed: &Bed<'_>| bed.outside(low.midpoint(high)) <= low.distance(high) / 2.0;
             strokes.iter().any(|bed| bed.plants(species) && bed.meets(low, high) && is_near(bed))
         };
-        let mut found: Vec<[i64; 2]> =
-            all.take(GardenBudget::PAINTED_BOX).filter(has_bed).take(most + 1).collect();
-        let are_all = found.len() <= most && count <= GardenBudget::PAINTED_BOX as i64;
+        let widest = self.layout.beds.widest_box();
+        let mut found: Vec<[i64; 2]> = all.take(widest).filter(has_bed).take(most + 1).collect();
+        let are_all = found.len() <= most && count <= widest as i64;
         found.truncate(most);
         (found, are_all)
     }

@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// Farthest from the eye that is painted, in distances of what is looked at.
 const FARTHEST: f32 = 6.0;
+/// What is planted first where nothing is drawn.
+const AT_FIRST: &str = "rose";
 
 impl Editor {
     /// Actions about the garden.
@@ -45,6 +47,11 @@ impl Editor {
         if !self.garden.is_set {
             self.garden.brush.radius = self.usual_garden_radius();
         }
+        // Where nothing is drawn there is nothing to be copied.
+        if self.built().is_none_or(|built| built.model.parts.is_empty()) {
+            let species = &mut self.garden.brush.species;
+            *species = species.take().or(Some(AT_FIRST.to_owned()));
+        }
         self.garden.is_shown = true;
         let around = self.built().and_then(|built| built.garden.as_ref()?.bounds());
         self.plant.show_ground(around);
@@ -68,9 +75,8 @@ impl Editor {
     /// What the card over the plant shows.
     pub(super) fn garden_state(&self) -> GardenState {
         let plants = self.built().and_then(|built| Some(built.garden.as_ref()?.places.len()));
-        let any = self.plant.bounds().is_some() || !self.sketch().garden.is_empty();
         let (usual_radius, brush) = (self.usual_garden_radius(), self.garden.brush.clone());
-        GardenState { any, on: self.garden.is_on, brush, usual_radius, plants }
+        GardenState { any: self.built().is_some(), on: self.garden.is_on, brush, usual_radius, plants }
     }
 
     /// The garden as it is drawn now, with what is under the pen.

@@ -102,6 +102,23 @@ fn paths_and_clearings_are_painted_and_the_sky_is_not() {
 }
 
 #[test]
+fn a_garden_is_painted_where_nothing_is_drawn() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "balloon_flower");
+    editor.perform(Action::New);
+    build(&mut editor);
+    frame(&mut editor, &egui);
+    editor.key(Key::N, Modifiers::NONE, true, false);
+    assert_eq!(editor.garden_state().brush.species.as_deref(), Some("rose"));
+    let (from, to) = (seen(&editor, -0.5, 0.0), seen(&editor, 0.5, 0.0));
+    drag(&mut editor, PenTool::Pen, from, to);
+    build(&mut editor);
+    assert_eq!(editor.sketch().garden.len(), 1);
+    assert!(editor.garden_state().plants > Some(0), "{:?}", editor.garden_state().plants);
+    assert!(editor.plant.bounds().is_some());
+}
+
+#[test]
 fn the_ground_is_looked_at_from_above_and_the_brush_fits_the_plant() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, _egui) = opened(&home);

@@ -5,7 +5,7 @@ use crate::app::garden_brush::GardenBrush;
 /// How the garden is being painted.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GardenState {
-    /// Whether there is a plant to be surrounded, or a garden.
+    /// Whether the view has a ground: something was built, be it nothing.
     pub any: bool,
     /// Whether the tool is in hand.
     pub on: bool,
