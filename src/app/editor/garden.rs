@@ -67,7 +67,9 @@ impl Editor {
     /// The radius of a brush that is as wide as two of the drawn plants.
     fn usual_garden_radius(&self) -> f32 {
         let (least, most) = GardenBrush::RADII;
-        let width = self.plant.bounds().map(|(low, high)| (high - low).xz().max_element());
+        let is_drawn = self.built().is_some_and(|built| !built.model.parts.is_empty());
+        let bounds = self.plant.bounds().filter(|_| is_drawn);
+        let width = bounds.map(|(low, high)| (high - low).xz().max_element());
         // Two digits are enough, and read well.
         width.map_or(GardenBrush::default().radius, |width| (width * 20.0).round() / 20.0).clamp(least, most)
     }

@@ -14,6 +14,10 @@ use crate::sketch::BRUSH_DENSITIES;
 use crate::species::Species;
 use egui::{ScrollArea, Ui};
 
+/// Width of the card with this tool, logical pixels, where there is room.
+pub(super) const WIDTH: f32 = 380.0;
+/// Width from which sliders stand side by side.
+const SIDE_BY_SIDE: f32 = 340.0;
 /// Species in a row of the dialog.
 const COLUMNS: usize = 7;
 /// Height of a window that the pictures in the dialog leave to everything else.
@@ -70,17 +74,17 @@ pub(super) fn rails(ui: &mut Ui, state: &GardenState, messages: &Messages, out: 
             RailChange::Reset => usual,
         })
     };
-    ui.columns(2, |columns| {
+    let columns = if ui.available_width() < SIDE_BY_SIDE { 1 } else { 2 };
+    ui.columns(columns, |columns| {
         let width = format!("{:.2} m", 2.0 * now.radius);
         let values = (now.radius, state.usual_radius);
         let radius = rail(&mut columns[0], Msg::GardenWidth, GardenBrush::RADII, &width, values);
         out.extend(radius.map(|radius| Action::SetGardenBrush(GardenBrush { radius, ..now.clone() })));
-        if now.kind == GardenBrushKind::Plants {
-            let percent = format!("{:.0} %", now.density * 100.0);
-            let (range, values) = (BRUSH_DENSITIES.into_inner(), (now.density, usual.density));
-            let density = rail(&mut columns[1], Msg::BrushDensity, range, &percent, values);
-            out.extend(density.map(|density| Action::SetGardenBrush(GardenBrush { density, ..now.clone() })));
-        }
+        let Some(beside) = columns.last_mut().filter(|_| now.kind == GardenBrushKind::Plants) else { return };
+        let percent = format!("{:.0} %", now.density * 100.0);
+        let (range, values) = (BRUSH_DENSITIES.into_inner(), (now.density, usual.density));
+        let density = rail(beside, Msg::BrushDensity, range, &percent, values);
+        out.extend(density.map(|density| Action::SetGardenBrush(GardenBrush { density, ..now.clone() })));
     });
 }
 

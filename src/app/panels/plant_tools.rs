@@ -68,7 +68,8 @@ pub(super) fn show(
             let said = said.or_else(|| of_brushes.tool.map(brush::said));
             let said = said.or_else(|| of_garden.on.then(|| garden::said(of_garden)));
             if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
-                ui.set_max_width(WIDTH.min(plant.width() - 32.0));
+                let width = if of_garden.on { garden::WIDTH } else { WIDTH };
+                ui.set_max_width(width.min(plant.width() - 32.0));
                 brush::rails(ui, &of_brushes, messages, out);
                 pose::rails(ui, &of_poses, messages, out);
                 garden::rails(ui, of_garden, messages, out);
