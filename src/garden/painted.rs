@@ -181,9 +181,10 @@ impl<'a> Bed<'a> {
         polyline::nearest(&self.line, p).map_or(f32::INFINITY, |(away, _)| away) - self.stroke.radius
     }
 
-    /// How densely it plants around a point inside of it, where 1 has room for each.
+    /// How densely it plants around a point, where 1 has room for each; 0 outside of it.
     fn density(&self, p: Vec2) -> f32 {
-        let arc = polyline::nearest(&self.line, p).map_or(0.0, |(_, arc)| arc);
+        let inside = polyline::nearest(&self.line, p).filter(|(away, _)| *away < self.stroke.radius);
+        let Some((_, arc)) = inside else { return 0.0 };
         let pressure = |at: usize| self.stroke.points[at].pressure;
         let pressed = match self.line.len() {
             1 => pressure(0),
@@ -385,9 +386,7 @@ impl Lattice<'_> {
     fn density(&self, strokes: &[&Bed<'_>], p: Vec2) -> f32 {
         strokes.iter().fold(0.0, |density: f32, bed| match bed.stroke.tool {
             GardenTool::Clear if bed.outside(p) < 0.0 => 0.0,
-            GardenTool::Plants(_)
-                if bed.plants(self.kind.species.as_deref()) && !bed.is_tap() && bed.outside(p) < 0.0 =>
-            {
+            GardenTool::Plants(_) if bed.plants(self.kind.species.as_deref()) && !bed.is_tap() => {
                 density.max(bed.density(p))
             }
             _ => density,

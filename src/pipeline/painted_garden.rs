@@ -61,7 +61,7 @@ struct MadeOf {
 enum PlantOf {
     Species(String),
     /// The drawing without its garden, and with what it is made.
-    Drawn(Box<(Sketch, Params, Species)>),
+    Drawn(Arc<(Sketch, Params, Species)>),
 }
 
 /// What a garden adds to what was built.
@@ -94,13 +94,14 @@ pub(super) fn lay_out(
         *memory = GardenMemory::default();
         return Some(LaidOut::default());
     }
-    let without = Sketch { garden: GardenStrokes::default(), ..sketch.clone() };
-    let drawing = Box::new((without, params.clone(), species.clone()));
     let (mut remarks, mut plants) = (Vec::new(), Vec::new());
     for name in painted::kinds(&sketch.garden) {
         match name {
             None if drawn.model.triangle_count() == 0 => remarks.push(Remark::NothingToPlant),
-            None => plants.push(PlantOf::Drawn(drawing.clone())),
+            None => {
+                let without = Sketch { garden: GardenStrokes::default(), ..sketch.clone() };
+                plants.push(PlantOf::Drawn(Arc::new((without, params.clone(), species.clone()))));
+            }
             Some(name) if makes_itself(name) => plants.push(PlantOf::Species(name.to_owned())),
             Some(name) => remarks.push(Remark::NoSuchPlantInGarden {
                 species: quote::name(name),

@@ -5,21 +5,15 @@ use super::rail::{Rail, RailChange, Scale, number};
 use super::seed::{self, SeedEdit};
 use super::snapshot::{BesideState, Dialog, PlantState, Snapshot};
 use super::widgets::{IconButton, note, palette, section, text_button, text_button_sized};
-use super::{export, thumbnails, tiles};
+use super::{export, species_grid, thumbnails};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::{ROUND, TARGET};
 use crate::sketch::{Maker, PlacedPlant, SeedOf};
 use crate::species::Species;
-use egui::{
-    Align2, CornerRadius, Id, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
-};
+use egui::{Align2, CornerRadius, Id, Rect, Response, Role, Sense, Stroke, StrokeKind, TextStyle};
 use egui::{Ui, WidgetInfo, pos2, vec2};
 
-/// Species in a row of the dialog.
-const COLUMNS: usize = 7;
-/// Height of a window that the pictures in that dialog leave to everything else: its title, hint and buttons, and the space around it.
-const AROUND_TILES: f32 = 260.0;
 /// Heights on the slider, percent of the sheet's.
 const HEIGHTS: (f64, f64) = (1.0, 400.0);
 /// Places on the slider, percent of the sheet's width.
@@ -218,35 +212,19 @@ pub(super) fn dialog(
     if place.is_none() {
         note(ui, messages.get(Msg::BesideAddHint));
     }
-    let names = Species::by_themselves();
-    let room = (screen_height - AROUND_TILES).max(TARGET);
-    ScrollArea::vertical().max_height(room).show(ui, |ui| {
-        tiles::grid(
-            ui,
-            COLUMNS,
-            names.len(),
-            |width| width + 22.0,
-            |ui, index, size| {
-                let name = names[index];
-                let is_chosen = of_place.is_some_and(|state| state.plant.maker.species() == name);
-                let (picture, label) =
-                    (thumbnails::of_species(ui.ctx(), name), messages.name(Named::Species, name));
-                if !tiles::picture(ui, size, picture.as_ref(), &label, true, is_chosen).clicked() {
-                    return;
-                }
-                out.push(Action::CloseDialog);
-                out.push(match (place, of_place) {
-                    (Some(place), Some(state)) => {
-                        let Maker::Growth(seed) = state.plant.maker.clone();
-                        // Another species has another usual age.
-                        let maker = Maker::Growth(SeedOf { species: name.to_owned(), age: None, ..seed });
-                        Action::SetPlant { place, plant: PlacedPlant { maker, ..state.plant.clone() } }
-                    }
-                    _ => Action::AddPlant(name.to_owned()),
-                });
-            },
-        );
-    });
+    let chosen = of_place.map(|state| state.plant.maker.species());
+    if let Some(name) = species_grid::by_themselves(ui, screen_height, chosen, messages) {
+        out.push(Action::CloseDialog);
+        out.push(match (place, of_place) {
+            (Some(place), Some(state)) => {
+                let Maker::Growth(seed) = state.plant.maker.clone();
+                // Another species has another usual age.
+                let maker = Maker::Growth(SeedOf { species: name.to_owned(), age: None, ..seed });
+                Action::SetPlant { place, plant: PlacedPlant { maker, ..state.plant.clone() } }
+            }
+            _ => Action::AddPlant(name.to_owned()),
+        });
+    }
     ui.add_space(10.0);
     export::buttons(ui, |ui| {
         if text_button(ui, None, messages.get(Msg::DialogCancel), false).clicked() {

@@ -1,7 +1,7 @@
 //! The brushes, as the card over the plant shows them: which is in hand, and its size, density and guide.
 
 use super::icons::Icon;
-use super::rail::{Rail, RailChange, Scale};
+use super::rail;
 use super::snapshot::BrushState;
 use super::widgets::IconButton;
 use crate::app::action::Action;
@@ -35,26 +35,19 @@ pub(super) fn buttons(ui: &mut Ui, state: &BrushState, messages: &Messages, out:
 pub(super) fn rails(ui: &mut Ui, state: &BrushState, messages: &Messages, out: &mut Vec<Action>) {
     let Some(tool) = state.tool else { return };
     let (now, usual) = (state.settings, BrushSettings::default());
-    let mut rail = |msg: Msg, (min, max): (f32, f32), value: f32, usual: f32| {
+    let mut slider = |msg: Msg, range: (f32, f32), value: f32, usual: f32| {
         let text = format!("{:.0} %", value * 100.0);
-        let scale = Scale { min: min.into(), max: max.into(), whole: false };
-        let reset = (value != usual).then(|| messages.get(Msg::BrushReset));
-        let rail = Rail { label: messages.get(msg), text: &text, scale, value: value.into(), reset };
-        let room = ui.available_width();
-        rail.show(ui, room).1.map(|change| match change {
-            RailChange::To(value) => value as f32,
-            RailChange::Reset => usual,
-        })
+        rail::setting(ui, (messages.get(msg), &text), range, (value, usual), messages.get(Msg::BrushReset))
     };
-    let size = rail(Msg::BrushSize, BrushSettings::SIZES, now.size, usual.size);
+    let size = slider(Msg::BrushSize, BrushSettings::SIZES, now.size, usual.size);
     out.extend(size.map(|size| Action::SetBrush(BrushSettings { size, ..now })));
     if matches!(tool, Tool::GrowthBrush | Tool::LeafBrush | Tool::FlowerBrush) {
-        let density = rail(Msg::BrushDensity, BRUSH_DENSITIES.into_inner(), now.density, usual.density);
+        let density = slider(Msg::BrushDensity, BRUSH_DENSITIES.into_inner(), now.density, usual.density);
         out.extend(density.map(|density| Action::SetBrush(BrushSettings { density, ..now })));
     }
     if matches!(tool, Tool::GrowthBrush | Tool::LightBrush) {
         let name = if tool == Tool::LightBrush { Msg::BrushStrength } else { Msg::BrushGuide };
-        let guide = rail(name, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
+        let guide = slider(name, BRUSH_GUIDES.into_inner(), now.guide, usual.guide);
         out.extend(guide.map(|guide| Action::SetBrush(BrushSettings { guide, ..now })));
     }
 }

@@ -2,26 +2,19 @@
 //! and how densely.
 
 use super::icons::Icon;
-use super::rail::{Rail, RailChange, Scale};
 use super::snapshot::{Dialog, GardenState, Snapshot};
 use super::widgets::{IconButton, note, text_button};
-use super::{export, thumbnails, tiles};
+use super::{export, rail, species_grid};
 use crate::app::action::Action;
 use crate::app::garden_brush::{GardenBrush, GardenBrushKind};
 use crate::app::messages::{Messages, Msg, Named};
-use crate::app::theme::TARGET;
 use crate::sketch::BRUSH_DENSITIES;
-use crate::species::Species;
-use egui::{ScrollArea, Ui};
+use egui::Ui;
 
 /// Width of the card with this tool, logical pixels, where there is room.
 pub(super) const WIDTH: f32 = 380.0;
 /// Width from which sliders stand side by side.
 const SIDE_BY_SIDE: f32 = 340.0;
-/// Species in a row of the dialog.
-const COLUMNS: usize = 7;
-/// Height of a window that the pictures in the dialog leave to everything else.
-const AROUND_TILES: f32 = 260.0;
 
 /// What the brush paints, each with what it is called and what it is for.
 const KINDS: [(GardenBrushKind, Icon, Msg, Msg); 3] = [
@@ -64,26 +57,19 @@ pub(super) fn rails(ui: &mut Ui, state: &GardenState, messages: &Messages, out: 
         return;
     }
     let (now, usual) = (&state.brush, GardenBrush::default());
-    let rail = |ui: &mut Ui, msg: Msg, (min, max): (f32, f32), text: &str, (value, usual): (f32, f32)| {
-        let scale = Scale { min: min.into(), max: max.into(), whole: false };
-        let reset = (value != usual).then(|| messages.get(Msg::BrushReset));
-        let rail = Rail { label: messages.get(msg), text, scale, value: value.into(), reset };
-        let room = ui.available_width();
-        rail.show(ui, room).1.map(|change| match change {
-            RailChange::To(value) => value as f32,
-            RailChange::Reset => usual,
-        })
+    let slider = |ui: &mut Ui, msg: Msg, range: (f32, f32), text: &str, values: (f32, f32)| {
+        rail::setting(ui, (messages.get(msg), text), range, values, messages.get(Msg::BrushReset))
     };
     let columns = if ui.available_width() < SIDE_BY_SIDE { 1 } else { 2 };
     ui.columns(columns, |columns| {
         let width = format!("{:.2} m", 2.0 * now.radius);
         let values = (now.radius, state.usual_radius);
-        let radius = rail(&mut columns[0], Msg::GardenWidth, GardenBrush::RADII, &width, values);
+        let radius = slider(&mut columns[0], Msg::GardenWidth, GardenBrush::RADII, &width, values);
         out.extend(radius.map(|radius| Action::SetGardenBrush(GardenBrush { radius, ..now.clone() })));
         let Some(beside) = columns.last_mut().filter(|_| now.kind == GardenBrushKind::Plants) else { return };
         let percent = format!("{:.0} %", now.density * 100.0);
         let (range, values) = (BRUSH_DENSITIES.into_inner(), (now.density, usual.density));
-        let density = rail(beside, Msg::BrushDensity, range, &percent, values);
+        let density = slider(beside, Msg::BrushDensity, range, &percent, values);
         out.extend(density.map(|density| Action::SetGardenBrush(GardenBrush { density, ..now.clone() })));
     });
 }
@@ -118,25 +104,9 @@ pub(super) fn dialog(
         let brush = GardenBrush { species: species.map(str::to_owned), ..brush.clone() };
         [Action::CloseDialog, Action::SetGardenBrush(brush)]
     };
-    let names = Species::by_themselves();
-    let room = (screen_height - AROUND_TILES).max(TARGET);
-    ScrollArea::vertical().max_height(room).show(ui, |ui| {
-        tiles::grid(
-            ui,
-            COLUMNS,
-            names.len(),
-            |width| width + 22.0,
-            |ui, index, size| {
-                let name = names[index];
-                let is_chosen = brush.species.as_deref() == Some(name);
-                let (picture, label) =
-                    (thumbnails::of_species(ui.ctx(), name), messages.name(Named::Species, name));
-                if tiles::picture(ui, size, picture.as_ref(), &label, true, is_chosen).clicked() {
-                    out.extend(choice(Some(name)));
-                }
-            },
-        );
-    });
+    if let Some(name) = species_grid::by_themselves(ui, screen_height, brush.species.as_deref(), messages) {
+        out.extend(choice(Some(name)));
+    }
     ui.add_space(10.0);
     export::buttons(ui, |ui| {
         if text_button(ui, None, messages.get(Msg::DialogCancel), false).clicked() {

@@ -37,6 +37,7 @@ pub mod seed;
 pub mod snapshot;
 mod space;
 pub mod species;
+mod species_grid;
 pub mod status;
 mod tablet_keys;
 mod thumbnails;

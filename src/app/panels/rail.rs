@@ -30,6 +30,24 @@ const KEY_STEPS: (f32, f32) = (0.01, 0.1);
 /// Digits that a value keeps.
 const DIGITS: i32 = 3;
 
+/// Shows a setting, with a way back to its usual value where it has another; its new value, if there is one.
+pub fn setting(
+    ui: &mut Ui,
+    (label, text): (&str, &str),
+    (min, max): (f32, f32),
+    (value, usual): (f32, f32),
+    reset: &str,
+) -> Option<f32> {
+    let scale = Scale { min: min.into(), max: max.into(), whole: false };
+    let reset = (value != usual).then_some(reset);
+    let room = ui.available_width();
+    let change = Rail { label, text, scale, value: value.into(), reset }.show(ui, room).1;
+    change.map(|change| match change {
+        RailChange::To(value) => value as f32,
+        RailChange::Reset => usual,
+    })
+}
+
 /// How values lie on a rail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {

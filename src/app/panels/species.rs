@@ -3,7 +3,7 @@
 use super::icons::Icon;
 use super::snapshot::{PathPurpose, Snapshot};
 use super::widgets::{note, palette, section, text_button, text_button_sized};
-use super::{thumbnails, tiles};
+use super::{species_grid, thumbnails};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg, Named};
 use crate::app::theme::ROUND;
@@ -82,20 +82,8 @@ fn file_button(ui: &mut Ui, label: Msg, loud: bool, messages: &Messages, out: &m
 /// A picture of each of some species.
 fn pictures(ui: &mut Ui, names: &[&str], snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     ui.scope(|ui| {
-        tiles::grid(
-            ui,
-            COLUMNS,
-            names.len(),
-            |width| width + 22.0,
-            |ui, index, size| {
-                let name = names[index];
-                let picture = thumbnails::of_species(ui.ctx(), name);
-                let chosen = snapshot.species == name;
-                let label = messages.name(Named::Species, name);
-                if tiles::picture(ui, size, picture.as_ref(), &label, true, chosen).clicked() {
-                    out.push(Action::SetSpecies(name.to_owned()));
-                }
-            },
-        );
+        if let Some(name) = species_grid::show(ui, COLUMNS, names, Some(&snapshot.species), messages) {
+            out.push(Action::SetSpecies(name.to_owned()));
+        }
     });
 }
