@@ -32,7 +32,7 @@ pub const PATIENCE: Duration = Duration::from_millis(100);
 
 /// Longest time of a build after which the next one is not cancelled: the newest drawing waits for that no longer than for
 /// its own plant.
-pub const QUICK: Duration = Duration::from_millis(16);
+pub const QUICK: Duration = Duration::from_millis(50);
 
 /// What to build.
 #[derive(Clone, Debug)]

@@ -158,15 +158,16 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     let trunks = anatomy.branches.iter().filter(|b| b.parent.is_none()).filter_map(|b| b.line.first());
     let wood = anatomy.branches.iter().filter(|b| b.stroke.is_some()).flat_map(|b| b.line.iter());
     let ground = wood.map(|s| s.position.y).fold(f32::NEG_INFINITY, f32::max);
-    let lowest = |a: &Vec2, b: &Vec2| a.y.total_cmp(&b.y);
+    // Of equally low ones the first, so that one more beside it leaves the world as it is.
+    let lowest = |a: &Vec2, b: &Vec2| b.y.total_cmp(&a.y);
     let pot = pots::foot(anatomy);
     let origin = trunks
         .map(|s| s.position)
-        .max_by(lowest)
+        .min_by(lowest)
         .map(|root| root.with_y(root.y.max(ground)))
         .or_else(|| crowns::foot(anatomy, params.trunk))
-        .or_else(|| anatomy.flowers.iter().map(|f| f.center).max_by(lowest))
-        .or_else(|| anatomy.leaves.iter().map(|l| l.root).max_by(lowest))
+        .or_else(|| anatomy.flowers.iter().map(|f| f.center).min_by(lowest))
+        .or_else(|| anatomy.leaves.iter().map(|l| l.root).min_by(lowest))
         .unwrap_or(low.midpoint(high));
     let origin = pot.map_or_else(
         || origin.with_y(below_leaves(anatomy, origin.y, extent)),
