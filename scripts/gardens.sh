@@ -46,13 +46,16 @@ hills.save(sys.argv[1] + '/hills.png')
 MAPS
 "$PROGRAM" garden "$work/slope.toml" -o "$work/slope.png" --size 1600x800
 
+"$PROGRAM" render tests/fixtures/painted_garden.penstemon --walk 9 -o "$work/walk.png" --size 2000x1000
+mv "$work/walk-004.png" "$work/walk.png"
+
 # Smaller pictures have smoother edges.
 python3 - "$work" << 'SMALLER'
 import sys
 from PIL import Image
 
 for source, target, size in [('bed', 'garden', (1200, 570)), ('slope', 'garden-slope', (1000, 500)),
-                             ('painted', 'painted_garden', (1100, 660))]:
+                             ('painted', 'painted_garden', (1100, 660)), ('walk', 'walk', (1000, 500))]:
     picture = Image.open(f'{sys.argv[1]}/{source}.png').convert('RGB')
     picture.resize(size, Image.LANCZOS).save(f'docs/images/{target}.png', optimize=True)
 SMALLER

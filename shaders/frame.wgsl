@@ -6,9 +6,9 @@ struct Frame {
     world_from_clip: mat4x4<f32>,
     // The eye's position with w = 1, or the direction toward a parallel viewer with w = 0.
     eye: vec4<f32>,
-    // Linear colour in the middle of the backdrop; w is the height of the ground, metres.
+    // Linear colour in the middle of the backdrop, or of the sky overhead; w is the height of the ground, metres.
     backdrop_centre: vec4<f32>,
-    // Linear colour in the corners of the backdrop.
+    // Linear colour in the corners of the backdrop, or of the horizon; w is 1 outdoors, else 0.
     backdrop_edge: vec4<f32>,
     // Middle of the plant's foot on the ground; w is the distance in metres over which its shadow fades out.
     foot: vec4<f32>,

@@ -1,9 +1,17 @@
-// Backdrop and ground in one: a paper without horizon on which only the plant's shadow shows where the ground is.
+// Backdrop and ground in one: a paper without horizon on which only the plant's shadow shows where the ground is, or outdoors a lawn that
+// goes over into the sky.
 
 // Each lamp stands for a wide piece of sky: looked up this far away at most, in map widths, it draws no shadow of its own.
 const SKY_BLUR: f32 = 0.035;
 // Every how many-th lamp of the sky is looked at.
 override SKY_STEP: u32 = 1u;
+
+// Linear colour of the lawn outdoors: that of gardens, `LAWN` in src/garden/surface.rs, and how much of it is seen without sun and sky.
+const LAWN = vec3(0.085, 0.16, 0.035);
+const LAWN_AMBIENT = 0.3;
+// Distance over which the lawn goes over into the horizon: in distances of shadows, and at least so many metres.
+const HAZE: f32 = 3.0;
+const LEAST_HAZE: f32 = 150.0;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
@@ -22,8 +30,13 @@ fn unprojected(at: vec2<f32>, depth: f32) -> vec3<f32> {
     return world.xyz / world.w;
 }
 
-// Light on open ground, and light on the ground at a world point.
-fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> vec3<f32> {
+// Light on the ground at a world point, and on open ground.
+struct GroundLight {
+    here: vec3<f32>,
+    open: vec3<f32>,
+};
+
+fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> GroundLight {
     let turn = pixel_angle(pixel);
     let sun = light.sun.radiance.rgb * light.sun.toward.y;
     var open = sun;
@@ -34,20 +47,39 @@ fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> vec3<f32> {
         open += sky;
         here += sky * sky_visibility(i, world, SKY_BLUR * disc(i, SKY_LAMPS, turn));
     }
-    return here / open;
+    return GroundLight(here, open);
+}
+
+// The sky in a direction.
+fn sky_toward(direction: vec3<f32>) -> vec3<f32> {
+    return mix(frame.backdrop_edge.rgb, frame.backdrop_centre.rgb, sqrt(clamp(direction.y, 0.0, 1.0)));
+}
+
+// The lawn at a world point so far from the eye, with the shadows of what stands there.
+fn lawn(world: vec3<f32>, fade: f32, away: f32, pixel: vec2<f32>) -> vec3<f32> {
+    let light_there = light_on_ground(world, pixel);
+    let arriving = mix(light_there.open, light_there.here, fade);
+    let seen = LAWN * (arriving + LAWN_AMBIENT * light.ambient_above.rgb);
+    let haze = 1.0 - exp(-away / max(HAZE * frame.foot.w, LEAST_HAZE));
+    return mix(seen, frame.backdrop_edge.rgb, haze);
 }
 
 @fragment
 fn fragment(corner: Corner) -> @location(0) vec4<f32> {
-    let paper = backdrop(corner.at);
     let near = unprojected(corner.at, 0.0);
     let far = unprojected(corner.at, 1.0);
+    let is_outdoors = frame.backdrop_edge.w > 0.5;
+    let paper = select(backdrop(corner.at), sky_toward(normalize(far - near)), is_outdoors);
     let fall = near.y - far.y;
     let along = (near.y - frame.backdrop_centre.w) / fall;
     if fall <= 1e-6 || along <= 0.0 { return vec4(paper, 1.0); }
     let world = mix(near, far, along);
     let fade = 1.0 - smoothstep(0.4, 1.0, distance(world.xz, frame.foot.xz) / frame.foot.w);
+    if is_outdoors {
+        return vec4(lawn(world, fade, distance(near, world), corner.clip.xy), 1.0);
+    }
     if fade <= 0.0 { return vec4(paper, 1.0); }
-    let shade = mix(vec3(1.0), light_on_ground(world, corner.clip.xy), 0.8 * fade);
+    let light_there = light_on_ground(world, corner.clip.xy);
+    let shade = mix(vec3(1.0), light_there.here / light_there.open, 0.8 * fade);
     return vec4(paper * shade, 1.0);
 }

@@ -15,7 +15,7 @@ use super::pose_drag::PoseDrag;
 use super::settings::{Handedness, ThemeChoice};
 use super::stabiliser::Stabiliser;
 use super::texture_cut::{CutError, TextureCut};
-use super::view_state::{LightChoice, Shading};
+use super::view_state::{LightChoice, Shading, Stride};
 use super::ways_to_read::WayToRead;
 use super::work_surface::WorkSurface;
 use crate::growth::overlay::Wanted;
@@ -249,6 +249,10 @@ pub enum Action {
     SetOrthographic(bool),
     /// Turn the plant slowly.
     SetTurntable(bool),
+    /// Walks through the scene, or ends that.
+    Walk(bool),
+    /// Takes a step while walking.
+    Stride(Stride),
     /// What is seen of growth over the plant.
     SetOverlay(Wanted),
     /// Copy the picture of the plant to the clipboard.

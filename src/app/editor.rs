@@ -84,6 +84,7 @@ mod stroke_frame;
 #[cfg(test)]
 mod test_window;
 mod updates;
+mod walk;
 
 use super::canvas::{Canvas, CanvasOutcome};
 use super::layout::Layout;

@@ -2,15 +2,17 @@
 //!
 //! Wheel and pinch zoom, a double tap shows the front as it was drawn. A single tap picks a part of the plant, once it is
 //! clear that no second tap follows. What presses do is up to the tools (`plant_tools`).
+//! One can walk through the scene as well (`render/walk.rs`): drags look around, a tap on the ground goes there, wheel and pinch go ahead and
+//! back, and where drags would move the plant they pull the ground.
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
 //! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
 
-use super::view_state::{LightChoice, Shading, ViewState};
+use super::view_state::{LightChoice, Shading, Stride, ViewState};
 use crate::geom::ray::Ray;
 use crate::pen::{PenPhase, PenSample};
-use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
+use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality, walk};
 use egui::{Response, Sense, Ui};
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, Vec2, Vec3, Vec3Swizzles as _};
 use std::time::{Duration, Instant};
 
 /// Length of a flight of the camera.
@@ -24,6 +26,16 @@ const NOTHING_DRAWN: (Vec3, Vec3) = (Vec3::new(-0.5, 0.0, -0.5), Vec3::new(0.5, 
 const GROUND_LIFT: f32 = 0.14;
 /// Turn of the turntable, degrees per second.
 const TURNTABLE: f32 = 24.0;
+/// Steps of a walk, in heights of the eye: for a key, for a wheel that makes things e times as large, and for a drag over the whole height
+/// of the view; and the turn of a key in shares of that height.
+const STEP: f32 = 0.12;
+const PER_ZOOM: f32 = 2.0;
+const PULL: f32 = 3.0;
+const STEP_TURN: f32 = 0.06;
+/// Heights of a plant from which one sees it whole at first.
+const SEEN_WHOLE: f32 = 1.6;
+/// How many times as high the eye is after a key.
+const STEP_UP: f32 = 1.1;
 /// How long the view must rest before it is finished.
 const REST: Duration = Duration::from_millis(450);
 /// How long after a click a second one makes it a double click.
@@ -38,6 +50,15 @@ enum Guide {
     FollowsPlant,
     /// Stays where the artist put it.
     Artist,
+}
+
+/// A way of the camera.
+#[derive(Clone, Copy, Debug)]
+struct Flight {
+    from: OrbitCamera,
+    /// Where it ends; without that at the front of the plant, as it is then.
+    to: Option<OrbitCamera>,
+    begun: Instant,
 }
 
 /// A single click on the plant.
@@ -62,7 +83,9 @@ pub struct PlantView {
     pub keeps_room: bool,
     camera: OrbitCamera,
     guide: Guide,
-    flight: Option<(OrbitCamera, Instant)>,
+    flight: Option<Flight>,
+    /// From where the plant was seen before the walk.
+    before_walk: Option<OrbitCamera>,
     last_step: Option<Instant>,
     /// When something last moved, and whether the finished picture of it is due.
     moved: Option<Instant>,
@@ -91,6 +114,7 @@ impl Default for PlantView {
             camera: OrbitCamera::default(),
             guide: Guide::FollowsPlant,
             flight: None,
+            before_walk: None,
             last_step: None,
             moved: None,
             click: None,
@@ -145,22 +169,44 @@ impl PlantView {
             // Shares of the view's height from its centre, y down, as the camera has them.
             let share = |p: egui::Pos2| (p - rect.center()) / rect.height().max(1.0);
             let about = at.map(share).map_or(Vec2::ZERO, |share| Vec2::new(share.x, share.y));
-            self.camera.zoom(ZOOM_PER_POINT.powf(scroll) * pinch, about);
+            self.zoom(ZOOM_PER_POINT.powf(scroll) * pinch, about);
         }
     }
 
-    /// Turns the plant by a drag of so many physical pixels anywhere in the window.
+    fn zoom(&mut self, factor: f32, about: Vec2) {
+        if self.state.walking {
+            self.go(PER_ZOOM * factor.max(f32::MIN_POSITIVE).ln(), 0.0);
+        } else {
+            self.camera.zoom(factor, about);
+        }
+    }
+
+    /// Goes so many heights of the eye ahead and to the right.
+    fn go(&mut self, ahead: f32, aside: f32) {
+        let height = self.camera.eye().y;
+        self.camera.go(ahead * height, aside * height);
+    }
+
+    /// Turns the plant by a drag of so many physical pixels anywhere in the window, or who walks looks around.
     pub fn orbit(&mut self, by: DVec2) {
         let by = self.share(by);
         self.take_hold();
-        self.camera.orbit(by);
+        if self.state.walking {
+            self.camera.look_around(by);
+        } else {
+            self.camera.orbit(by);
+        }
     }
 
-    /// Moves the plant by a drag of so many physical pixels.
+    /// Moves the plant by a drag of so many physical pixels; who walks pulls the ground.
     pub fn pan(&mut self, by: DVec2) {
         let by = self.share(by);
         self.take_hold();
-        self.camera.pan(by);
+        if self.state.walking {
+            self.go(PULL * by.y, -PULL * by.x);
+        } else {
+            self.camera.pan(by);
+        }
     }
 
     /// Follows two fingers from one place to another: moves, zooms and turns the plant together. Physical pixels.
@@ -168,13 +214,13 @@ impl PlantView {
         let middle = |pair: [DVec2; 2]| (pair[0] + pair[1]) / 2.0;
         let (before, after) = (from[1] - from[0], to[1] - to[0]);
         let factor = after.length() / before.length();
-        let by = self.share(middle(to) - middle(from));
         let about = self.place(middle(to));
-        self.take_hold();
-        self.camera.pan(by);
+        self.pan(middle(to) - middle(from));
         if factor.is_finite() && factor > 0.0 {
-            self.camera.zoom(factor as f32, about);
-            self.camera.turn(-before.angle_to(after).to_degrees() as f32);
+            self.zoom(factor as f32, about);
+            if !self.state.walking {
+                self.camera.turn(-before.angle_to(after).to_degrees() as f32);
+            }
         }
     }
 
@@ -198,8 +244,11 @@ impl PlantView {
         std::mem::take(&mut self.drawn)
     }
 
-    /// A tap at a place in the window, physical pixels: a click, or with one just before the front as it was drawn.
+    /// A tap at a place in the window, physical pixels: a click, or with one just before the front as it was drawn. Who walks goes there.
     pub fn tap(&mut self, at: DVec2, besides: bool) {
+        if self.state.walking {
+            return self.walk_to(self.place(at));
+        }
         if self.click.take_if(|(_, at)| at.elapsed() < DOUBLE_CLICK).is_some() {
             return self.show_front();
         }
@@ -260,7 +309,9 @@ impl PlantView {
     /// The artist takes hold: the camera stays as it is, however the plant grows.
     pub fn take_hold(&mut self) {
         self.guide = Guide::Artist;
-        self.flight = None;
+        if let Some(Flight { to: Some(to), .. }) = self.flight.take() {
+            self.camera = to;
+        }
         self.stir();
     }
 
@@ -275,7 +326,7 @@ impl PlantView {
             (Some((low, high)), Some((l, h))) => Some((low.min(l), high.max(h))),
             (held, new) => new.or(held),
         };
-        if bounds.is_none() {
+        if bounds.is_none() && !self.state.walking {
             // Nowhere to fly to: without this the window would never rest.
             self.flight = None;
         }
@@ -305,17 +356,81 @@ impl PlantView {
 
     /// Flies to the front, as it was drawn, and follows the plant again.
     pub fn show_front(&mut self) {
-        self.state.turntable = false;
+        (self.state.turntable, self.state.walking, self.before_walk) = (false, false, None);
         self.guide = Guide::FollowsPlant;
-        self.flight = self.bounds.is_some().then(|| (self.camera, Instant::now()));
+        let flight = Flight { from: self.camera, to: None, begun: Instant::now() };
+        self.flight = self.bounds.is_some().then_some(flight);
         self.stir();
+    }
+
+    fn fly_to(&mut self, to: OrbitCamera) {
+        self.take_hold();
+        self.flight = Some(Flight { from: self.camera, to: Some(to), begun: Instant::now() });
+    }
+
+    /// Walks through the scene between these corners from where it is looked at now, among plants up to so many metres high, or goes back
+    /// to where it was seen from before.
+    pub fn walk(&mut self, on: bool, (low, high): (Vec3, Vec3)) {
+        if on == self.state.walking {
+            return;
+        }
+        self.take_hold();
+        (self.state.walking, self.state.turntable) = (on, false);
+        if !on {
+            let before = self.before_walk.take().unwrap_or(self.camera);
+            return self.fly_to(OrbitCamera { projection: self.projection(), ..before });
+        }
+        self.before_walk = Some(self.camera);
+        let (middle, half) = (low.midpoint(high).xz(), (high - low).xz() / 2.0);
+        let toward = Vec2::from_angle((90.0 - self.camera.yaw_deg).to_radians());
+        // At the border of the ellipse in the ground, or where the plant is seen whole.
+        let edge = (half * toward).length().max(SEEN_WHOLE * high.y);
+        let at = middle + toward * edge;
+        let camera = OrbitCamera::at_eye(at, walk::eye_height(high.y), middle, self.camera.yaw_deg);
+        self.fly_to(camera);
+    }
+
+    /// Goes to what is seen of the ground at a place of the view; at the sky nothing happens.
+    fn walk_to(&mut self, place: Vec2) {
+        self.take_hold();
+        if let Some(place) = self.camera.ground_at(place) {
+            self.fly_to(self.camera.near(place));
+        }
+    }
+
+    /// Takes a step while walking.
+    pub fn stride(&mut self, step: Stride) {
+        if !self.state.walking {
+            return;
+        }
+        self.take_hold();
+        let sign = |positive| if positive { 1.0 } else { -1.0 };
+        match step {
+            Stride::Ahead(ahead) => self.go(STEP * sign(ahead), 0.0),
+            Stride::Aside(right) => self.go(0.0, STEP * sign(right)),
+            Stride::Turn(right) => self.camera.look_around(Vec2::new(-STEP_TURN * sign(right), 0.0)),
+            Stride::Rise(up) => self.camera.rise(STEP_UP.powf(sign(up))),
+        }
+    }
+
+    /// Lets the plant turn by itself, or stops it.
+    pub fn set_turntable(&mut self, on: bool) {
+        self.stop_walking();
+        self.state.turntable = on;
+    }
+
+    /// Ends a walk at once.
+    fn stop_walking(&mut self) {
+        if let Some(before) = self.before_walk.take().filter(|_| self.state.walking) {
+            (self.camera, self.flight, self.state.walking) = (before, None, false);
+        }
     }
 
     /// Looks from above at the ground around the plant, or at the garden between these corners, and stays there.
     pub fn show_ground(&mut self, garden: Option<(Vec3, Vec3)>) {
         self.state.turntable = false;
         self.take_hold();
-        if self.camera.pitch_deg >= GROUND_PITCH {
+        if self.camera.pitch_deg >= GROUND_PITCH || self.state.walking {
             return;
         }
         let (low, high) = *self.bounds.get_or_insert(NOTHING_DRAWN);
@@ -333,6 +448,7 @@ impl PlantView {
 
     /// Switches between parallel and perspective.
     pub fn set_orthographic(&mut self, on: bool) {
+        self.stop_walking();
         self.state.orthographic = on;
         self.camera.projection = self.projection();
         self.stir();
@@ -342,10 +458,11 @@ impl PlantView {
     fn step(&mut self) {
         let now = Instant::now();
         let passed = self.last_step.replace(now).map_or(0.0, |last| (now - last).as_secs_f32().min(0.1));
-        if let (Some((from, begun)), Some(bounds)) = (self.flight, self.bounds) {
+        let to = self.flight.and_then(|flight| flight.to.or_else(|| Some(self.front(self.bounds?))));
+        if let (Some(Flight { from, begun, .. }), Some(to)) = (self.flight, to) {
             let t = (begun.elapsed().as_secs_f32() / FLIGHT.as_secs_f32()).min(1.0);
             let eased = t * t * (3.0 - 2.0 * t);
-            self.camera = from.lerp(&self.front(bounds), eased);
+            self.camera = from.lerp(&to, eased);
             if t >= 1.0 {
                 self.flight = None;
             }
@@ -418,6 +535,7 @@ impl PlantView {
             },
             quality: if rests { Quality::Full } else { Quality::Draft },
             background: match theme {
+                _ if self.state.walking => Background::Outdoors,
                 egui::Theme::Light => Background::Paper,
                 egui::Theme::Dark => Background::Dark,
             },

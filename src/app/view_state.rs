@@ -25,6 +25,9 @@ pub struct ViewState {
     /// Turning by itself; a new session begins at rest.
     #[serde(skip)]
     pub turntable: bool,
+    /// Seen by somebody who walks on the ground; a new session begins around the plant.
+    #[serde(skip)]
+    pub walking: bool,
     /// What is seen of growth; a new session begins with nothing.
     #[serde(skip)]
     pub overlay: Wanted,
@@ -33,7 +36,14 @@ pub struct ViewState {
 impl Default for ViewState {
     fn default() -> Self {
         let (light, shading) = (LightChoice::default(), Shading::default());
-        Self { light, shading, orthographic: true, turntable: false, overlay: Wanted::default() }
+        Self {
+            light,
+            shading,
+            orthographic: true,
+            turntable: false,
+            walking: false,
+            overlay: Wanted::default(),
+        }
     }
 }
 
@@ -42,6 +52,19 @@ impl ViewState {
     pub fn sane(self) -> Self {
         Self { light: self.light.sane(), ..self }
     }
+}
+
+/// A step of a walk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stride {
+    /// Ahead, or back.
+    Ahead(bool),
+    /// To the right, or to the left.
+    Aside(bool),
+    /// Turns to the right, or to the left.
+    Turn(bool),
+    /// Raises the eye, or lowers it.
+    Rise(bool),
 }
 
 /// The sun.

@@ -2,11 +2,14 @@
 
 use super::common::{self, Assignments, Setup, SetupOptions, Stages};
 use super::studio::{self, Size, Viewpoint, check_size, is_picture, open_species};
+use super::walk::{self, Walk};
 use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
 use crate::formats::write::{self, Surfaces, Takes};
+use crate::garden::places::Plan;
 use crate::garden::spec::KindFields;
+use crate::garden::stock::Individual;
 use crate::garden::{Garden, GardenSpec, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
 use crate::input::Sources;
 use crate::model::Model;
@@ -14,7 +17,7 @@ use crate::picture::Picture;
 use crate::pipeline::{self, Clock, FEWEST_TRIANGLES, Form, Grower, triangles_of_each};
 use crate::plant::{FinishedPlant, Material, Plant, Provenance, Texture};
 use crate::quote;
-use crate::render::PictureOptions;
+use crate::render::{PictureOptions, Renderer};
 use crate::species::Species;
 use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Map, Value, json};
@@ -60,6 +63,14 @@ pub struct Args {
     /// From where pictures are taken.
     #[arg(long, value_enum, default_value_t = Viewpoint::ThreeQuarter)]
     pub view: Viewpoint,
+    /// Pictures on a walk along the longest path, or through the garden, this many; a picture file gets a number before its ending.
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=3600),
+        conflicts_with = "view"
+    )]
+    pub walk: Option<u32>,
     /// Width and height of pictures in pixels.
     #[arg(long, value_name = "WxH", default_value = "1600x900")]
     pub size: Size,
@@ -69,6 +80,22 @@ pub struct Args {
     /// Print times, counts and bytes written as one JSON object.
     #[arg(long)]
     pub stats: bool,
+}
+
+impl Args {
+    /// How pictures are taken.
+    fn options(&self) -> PictureOptions {
+        PictureOptions { width: self.size.width, height: self.size.height, transparent: false }
+    }
+
+    /// All files that will be written.
+    fn files(&self) -> Vec<PathBuf> {
+        let of = |out: &PathBuf| match self.walk.filter(|_| is_picture(out)) {
+            Some(count) => walk::pictures(out, count),
+            None => vec![out.clone()],
+        };
+        self.out.iter().flat_map(of).collect()
+    }
 }
 
 /// How fine individuals are.
@@ -102,11 +129,15 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     for out in args.out.iter().filter(|out| !is_picture(out)) {
         write::format_of(out)?;
     }
+    ensure!(
+        args.walk.is_none() || args.out.iter().any(|out| is_picture(out)),
+        "--walk takes pictures; add a picture file, such as -o walk.png"
+    );
     let (spec, folder) = spec(args)?;
     let mut sources = Sources::default();
     args.what.iter().for_each(|what| sources.add(Path::new(what)));
     spec.files(&folder).iter().for_each(|file| sources.add(file));
-    sources.spare(args.out.iter().map(PathBuf::as_path))?;
+    sources.spare(args.files().iter().map(PathBuf::as_path))?;
     let mut clock = Clock::default();
     let tiles = clock.time("tiles", || TileSet::new(spec.colours, TILES));
     let mut plan = spec.plan(&tiles, &folder)?;
@@ -124,7 +155,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         individuals <= most,
         "{individuals} individuals are more than the {most} of a garden; choose fewer variants"
     );
-    sources.spare(args.out.iter().map(PathBuf::as_path))?;
+    sources.spare(args.files().iter().map(PathBuf::as_path))?;
     let places = clock.time("places", || plan.places(&tiles))?;
     check_outputs(args, places.len())?;
     let stock = clock.time("individuals", || {
@@ -138,7 +169,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     })?;
     let ground = clock.time("ground", || surface::slab(&plan, spec.ground.cover));
     let garden = Garden { stock, places, ground };
-    let bytes = clock.time("files", || write_all(args, &garden, &sources))?;
+    let bytes = clock.time("files", || write_all(args, &plan, &garden, &sources))?;
     if args.stats {
         common::print(&stats(&garden, &tiles, clock.take(), bytes).to_string())?;
     }
@@ -296,7 +327,7 @@ fn check_outputs(args: &Args, plants: usize) -> Result<()> {
 }
 
 /// Writes the garden to all files; returns the number of bytes.
-fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
+fn write_all(args: &Args, plan: &Plan, garden: &Garden, sources: &Sources) -> Result<usize> {
     args.out.iter().try_for_each(|out| check_size(out, garden.triangle_count()))?;
     let mut whole: Option<Model> = None;
     let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
@@ -305,7 +336,11 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
     let mut bytes = 0;
     for out in &args.out {
         if is_picture(out) {
-            bytes += write_picture(args, out, whole.get_or_insert_with(|| garden.model()))?;
+            let model = whole.get_or_insert_with(|| garden.model());
+            bytes += match args.walk {
+                Some(count) => write_walk(args, out, (plan, garden, model), count)?,
+                None => write_picture(args, out, model)?,
+            };
             continue;
         }
         bytes += match write::format_of(out)?.takes() {
@@ -330,9 +365,30 @@ fn write_all(args: &Args, garden: &Garden, sources: &Sources) -> Result<usize> {
     Ok(bytes)
 }
 
+/// Takes pictures on a walk through the garden; returns their size in bytes.
+fn write_walk(
+    args: &Args,
+    out: &Path,
+    (plan, garden, model): (&Plan, &Garden, &Model),
+    count: u32,
+) -> Result<usize> {
+    let paths = plan.paths.iter().map(|path| path.points().to_vec());
+    let line = walk::longest(paths, model.bounds().unwrap_or_default());
+    let individuals = garden.stock.kinds.iter().flat_map(|kind| &kind.individuals);
+    let highest = individuals.map(Individual::height).fold(0.0, f32::max);
+    let mut renderer = Renderer::new()?;
+    let scene = renderer.upload(model, &studio::texture).with_context(|| out.display().to_string())?;
+    Walk { line, ground: &|at| plan.ground.height(at), highest, count }.write(
+        &mut renderer,
+        &scene,
+        out,
+        &args.options(),
+    )
+}
+
 /// Takes a picture of the garden; returns its size in bytes.
 fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
-    let options = PictureOptions { width: args.size.width, height: args.size.height, transparent: false };
+    let options = args.options();
     let png =
         studio::picture(model, args.view.view(), &options).with_context(|| out.display().to_string())?;
     atomic::write_atomically(out, &png)?;

@@ -24,6 +24,7 @@ pub mod render;
 mod rose;
 pub mod studio;
 pub mod tablets;
+mod walk;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::path::PathBuf;

@@ -2,15 +2,17 @@
 
 use super::common::{self, BuildOptions, Setup};
 use super::studio::Size;
+use super::walk::{self, Walk};
 use crate::atomic;
 use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
 use crate::formats::textures::{self, fetch};
+use crate::garden::painted::simplified;
 use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline;
 use crate::plant::Texture;
 use crate::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
-use crate::sketch::Sketch;
+use crate::sketch::{GardenTool, Sketch};
 use anyhow::{Context as _, Result, bail, ensure};
 use std::borrow::Cow;
 use std::error::Error;
@@ -65,6 +67,14 @@ pub struct Args {
     /// Pictures all around the plant, this many.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3600), conflicts_with = "with_drawing")]
     turntable: Option<u32>,
+    /// Pictures on a walk along the longest path that is painted in the sketch's garden, or through the scene, this many.
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=3600),
+        conflicts_with_all = ["with_drawing", "turntable", "view", "orthographic"]
+    )]
+    walk: Option<u32>,
     /// Only the plant: no paper, no shadow on it.
     #[arg(long, conflicts_with = "with_drawing")]
     transparent: bool,
@@ -82,8 +92,8 @@ impl Args {
 
     /// The pictures that will be written.
     fn pictures(&self) -> Vec<PathBuf> {
-        match self.turntable {
-            Some(count) => (0..count as usize).map(|i| common::numbered(&self.out, i)).collect(),
+        match self.turntable.or(self.walk) {
+            Some(count) => walk::pictures(&self.out, count),
             None => vec![self.out.clone()],
         }
     }
@@ -142,6 +152,9 @@ fn render_drawing(args: &Args) -> Result<ExitCode> {
 fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<usize> {
     let of_input = || args.input.display().to_string();
     let uploaded = renderer.upload(&scene.model, &scene.textures()).with_context(of_input)?;
+    if let Some(count) = args.walk {
+        return scene.walk(count).write(renderer, &uploaded, &args.out, &args.options());
+    }
     let views: Vec<View> = args.first_view().turntable(args.turntable.unwrap_or(1)).collect();
     let mut bytes = 0;
     let pictures = renderer.pictures(&uploaded, &views, &args.options());
@@ -209,6 +222,17 @@ impl Scene {
         Ok(Self { model, embedded, drawn: None, stages, sources })
     }
 
+    /// A walk along the garden's longest path, or through the scene.
+    fn walk(&self, count: u32) -> Walk<'_> {
+        let bounds = self.model.bounds().unwrap_or_default();
+        let garden = self.drawn.iter().flat_map(|sketch| sketch.garden.iter());
+        let paths = garden.filter(|stroke| stroke.tool == GardenTool::Path).map(|stroke| {
+            simplified(&stroke.points, stroke.radius).iter().map(|point| point.at).collect::<Vec<_>>()
+        });
+        let line = walk::longest(paths, bounds);
+        Walk { line, ground: &|_| 0.0, highest: bounds.1.y, count }
+    }
+
     /// The files of the textures.
     fn textures(&self) -> impl Fn(&Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
         |texture| match self.embedded.get(texture) {
@@ -242,9 +266,14 @@ mod tests {
 
     #[test]
     fn what_excludes_each_other_is_wrong_usage() {
-        for options in
-            ["--turntable 0", "--turntable 3 --with-drawing", "--transparent --with-drawing", "--view up"]
-        {
+        for options in [
+            "--turntable 0",
+            "--turntable 3 --with-drawing",
+            "--transparent --with-drawing",
+            "--view up",
+            "--walk 3 --view top",
+            "--walk 0",
+        ] {
             assert!(parse(&format!("penstemon render a -o b {options}")).is_err(), "{options}");
         }
         let drawing = parse("penstemon render a -o b --view drawing --turntable 3").unwrap();

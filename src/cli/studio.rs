@@ -183,7 +183,6 @@ pub fn picture(model: &Model, view: View, options: &PictureOptions) -> Result<Ve
     Ok(Renderer::new()?.picture(model, &texture, &view, options)?.to_png()?)
 }
 
-/// The file of a texture.
 /// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.
 pub(super) fn check_size(out: &Path, triangles: usize) -> Result<()> {
     if is_picture(out) {
@@ -212,7 +211,8 @@ pub(super) fn check_size(out: &Path, triangles: usize) -> Result<()> {
     Ok(())
 }
 
-fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
+/// The file of a texture.
+pub(super) fn texture(texture: &Texture) -> Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>> {
     Ok(fetch(texture, &common::built_in_texture)?)
 }
 

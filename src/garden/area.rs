@@ -186,6 +186,11 @@ impl Path {
         Ok(Self { points, half_width: width / 2.0 })
     }
 
+    /// Where it leads.
+    pub fn points(&self) -> &[Vec2] {
+        &self.points
+    }
+
     /// How far a point is beside the path, metres; negative on it.
     pub fn beside(&self, p: Vec2) -> f32 {
         polyline::nearest(&self.points, p).map_or(f32::INFINITY, |(distance, _)| distance) - self.half_width

@@ -28,7 +28,7 @@ impl FrameUniform {
             world_from_clip: camera.clip_from_world.inverse(),
             eye: camera.eye,
             backdrop_centre: centre.extend(lo.y),
-            backdrop_edge: edge.extend(0.0),
+            backdrop_edge: edge.extend(f32::from(u8::from(background == Background::Outdoors))),
             foot: foot.extend(1.6 * (hi - lo).length().max(1e-6)),
         }
     }

@@ -34,16 +34,19 @@ pub enum Background {
     Paper,
     /// A dark sheet for the dark theme, with the plant's shadow on it.
     Dark,
+    /// A lawn as far as one sees, under the sky.
+    Outdoors,
     /// Nothing at all.
     Transparent,
 }
 
 impl Background {
-    /// Linear colours in the middle and in the corners.
+    /// Linear colours in the middle and in the corners; of the sky those overhead and at the horizon.
     pub(super) fn colours(self) -> (Vec3, Vec3) {
         match self {
             Background::Paper | Background::Transparent => (studio::PAPER_CENTRE, studio::PAPER_EDGE),
             Background::Dark => (studio::DARK_CENTRE, studio::DARK_EDGE),
+            Background::Outdoors => (studio::OVERHEAD, studio::HORIZON),
         }
     }
 }

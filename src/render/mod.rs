@@ -30,6 +30,7 @@ pub mod error;
 pub mod orbit;
 pub mod rendered_image;
 pub mod viewport;
+pub mod walk;
 
 mod arena;
 mod copies;

@@ -29,6 +29,10 @@ pub struct OrbitCamera {
     pub distance: f32,
     /// How depth shows.
     pub projection: Projection,
+    /// Vertical opening of a perspective view, degrees.
+    pub field_of_view_deg: f32,
+    /// Turn of the lamps, as that of the viewer; `None` where they turn with the viewer, as around a plant in a studio.
+    pub lamps_yaw_deg: Option<f32>,
 }
 
 impl Default for OrbitCamera {
@@ -46,8 +50,11 @@ impl OrbitCamera {
             target: centre.extend(0.0),
             yaw_deg: 0.0,
             pitch_deg: 0.0,
-            distance: (height / 2.0 / slope()).clamp(*DISTANCES.start(), *DISTANCES.end()),
+            distance: (height / 2.0 / slope(studio::FIELD_OF_VIEW_DEG))
+                .clamp(*DISTANCES.start(), *DISTANCES.end()),
             projection: Projection::Orthographic,
+            field_of_view_deg: studio::FIELD_OF_VIEW_DEG,
+            lamps_yaw_deg: None,
         }
     }
 
@@ -66,6 +73,7 @@ impl OrbitCamera {
             pitch_deg: view.elevation_deg(),
             distance: 1.0,
             projection: view.projection,
+            ..Self::default()
         }
     }
 
@@ -84,7 +92,7 @@ impl OrbitCamera {
         self.target = framing.pivot + axes.world_from_view(framing.centre.extend(0.0));
         self.set_distance(match self.projection {
             Projection::Perspective => framing.distance,
-            Projection::Orthographic => framing.half.y / slope(),
+            Projection::Orthographic => framing.half.y / self.slope(),
         });
     }
 
@@ -115,7 +123,7 @@ impl OrbitCamera {
 
     /// Height of what is seen at the target, metres.
     pub fn height(&self) -> f32 {
-        2.0 * self.distance * slope()
+        2.0 * self.distance * self.slope()
     }
 
     /// The way from this camera to another, `t` from 0 to 1: the shorter way round, and zooming evenly to the eye.
@@ -136,7 +144,27 @@ impl OrbitCamera {
             } else {
                 Projection::Perspective
             },
+            field_of_view_deg: self.field_of_view_deg + (to.field_of_view_deg - self.field_of_view_deg) * t,
+            lamps_yaw_deg: self.lamps_on_the_way(to, t),
         }
+    }
+
+    /// Where the lamps are on the way to another camera: they turn with neither viewer, so that shadows do not rush.
+    fn lamps_on_the_way(&self, to: &Self, t: f32) -> Option<f32> {
+        if self.lamps_yaw_deg.is_none() && to.lamps_yaw_deg.is_none() {
+            return None;
+        }
+        let turn = wrapped(to.lamps_yaw() - self.lamps_yaw());
+        Some(wrapped(self.lamps_yaw() + turn * t))
+    }
+
+    fn lamps_yaw(&self) -> f32 {
+        self.lamps_yaw_deg.unwrap_or(self.yaw_deg)
+    }
+
+    /// Where the eye is.
+    pub fn eye(&self) -> Vec3 {
+        self.target + self.axes().back * self.distance
     }
 
     /// Where a world point is seen: shares of the view's height from its centre, y down. `None` behind the eye.
@@ -144,7 +172,7 @@ impl OrbitCamera {
         let seen = self.axes().view_from_world(world - self.target);
         let height = match self.projection {
             Projection::Orthographic => self.height(),
-            Projection::Perspective => 2.0 * slope() * (self.distance - seen.z),
+            Projection::Perspective => 2.0 * self.slope() * (self.distance - seen.z),
         };
         (height > 0.0).then(|| Vec2::new(seen.x, -seen.y) / height)
     }
@@ -162,22 +190,21 @@ impl OrbitCamera {
                 let origin = self.target + aside * self.height() + axes.back * back;
                 Ray { origin, direction: -axes.back }
             }
-            Projection::Perspective => Ray {
-                origin: self.target + axes.back * self.distance,
-                direction: (aside * 2.0 * slope() - axes.back).normalize(),
-            },
+            Projection::Perspective => {
+                Ray { origin: self.eye(), direction: (aside * 2.0 * self.slope() - axes.back).normalize() }
+            }
         }
     }
 
-    /// Axes of a level viewer who is turned like this one: the lamps stand in them.
+    /// Axes of a level viewer who is turned like the lamps: they stand in them.
     pub(super) fn level_axes(&self) -> Axes {
-        Axes::at(self.yaw_deg, 0.0)
+        Axes::at(self.lamps_yaw(), 0.0)
     }
 
     /// The camera for a view of this aspect, with depth enough for everything inside `bounds`.
     pub(super) fn camera(&self, bounds: (Vec3, Vec3), aspect: f32) -> Camera {
         let axes = self.axes();
-        let eye = self.target + axes.back * self.distance;
+        let eye = self.eye();
         let size = (bounds.1 - bounds.0).length().max(1e-6);
         let reach = corners(bounds).map(|p| -axes.view_from_world(p - eye).z);
         let (near, far) =
@@ -185,15 +212,20 @@ impl OrbitCamera {
         let (half, depth) = match self.projection {
             Projection::Perspective => {
                 let far = (2.0 * far).max(1e-2 * size);
-                (slope(), Vec2::new((0.5 * near).max(1e-4 * far), far))
+                (self.slope(), Vec2::new((0.5 * near).max(1e-4 * far), far))
             }
-            Projection::Orthographic => (slope() * self.distance, Vec2::new(near - size, far + size)),
+            Projection::Orthographic => (self.slope() * self.distance, Vec2::new(near - size, far + size)),
         };
         Camera::placed(&axes, eye, Vec2::new(half * sane(aspect), half), depth, self.projection)
     }
 
-    fn axes(&self) -> Axes {
+    pub(super) fn axes(&self) -> Axes {
         Axes::at(self.yaw_deg, self.pitch_deg)
+    }
+
+    /// Tangent of half the vertical opening.
+    fn slope(&self) -> f32 {
+        slope(self.field_of_view_deg)
     }
 
     fn set_distance(&mut self, distance: f32) {
@@ -201,9 +233,9 @@ impl OrbitCamera {
     }
 }
 
-/// Tangent of half the vertical opening.
-fn slope() -> f32 {
-    (studio::FIELD_OF_VIEW_DEG / 2.0).to_radians().tan()
+/// Tangent of half an opening.
+fn slope(degrees: f32) -> f32 {
+    (degrees / 2.0).to_radians().tan()
 }
 
 /// An aspect that can be divided by.

@@ -12,7 +12,7 @@ use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
-use super::{RenderError, RenderedImage, View};
+use super::{OrbitCamera, RenderError, RenderedImage, View};
 use crate::model::{Model, Part};
 use crate::sketch::Sketch;
 use bytemuck::Zeroable;
@@ -190,6 +190,27 @@ impl Renderer {
         views.iter().map(move |view| {
             let frame = FrameUniform::new(&framing.camera(view), model.bounds, Background::Paper);
             let light = LightUniform::new(model.bounds, &view.level_axes(), &lamps, SUN_MAP_SIZE);
+            self.draw_model(model, &frame, &light, &options)
+        })
+    }
+
+    /// A picture by each of these cameras, outdoors: the frames of a walk.
+    ///
+    /// # Errors
+    /// As for [`Renderer::pictures`].
+    pub fn pictures_by<'a>(
+        &'a mut self,
+        model: &'a ModelDrawData,
+        cameras: &'a [OrbitCamera],
+        options: &PictureOptions,
+    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + use<'a> {
+        let options = *options;
+        let lamps = LightParams::default();
+        let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
+        cameras.iter().map(move |camera| {
+            let frame =
+                FrameUniform::new(&camera.camera(model.bounds, aspect), model.bounds, Background::Outdoors);
+            let light = LightUniform::new(model.bounds, &camera.level_axes(), &lamps, SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })
     }

@@ -18,6 +18,10 @@ pub(super) const PAPER_EDGE: Vec3 = Vec3::new(0.62, 0.56, 0.455);
 pub(super) const DARK_CENTRE: Vec3 = Vec3::new(0.046, 0.048, 0.052);
 /// The same sheet in the corners, linear.
 pub(super) const DARK_EDGE: Vec3 = Vec3::new(0.019, 0.020, 0.023);
+/// The clear sky overhead and at the horizon, where the ground goes over into it, linear.
+pub(super) const OVERHEAD: Vec3 = Vec3::new(0.16, 0.34, 0.66);
+/// The horizon.
+pub(super) const HORIZON: Vec3 = Vec3::new(0.72, 0.80, 0.84);
 /// Colour of ink on paper, linear.
 pub(super) const INK: Vec3 = Vec3::new(0.018, 0.016, 0.026);
 /// Radius of the pen's line at full pressure, as a share of the drawing's diagonal.

@@ -12,6 +12,11 @@ use egui::{Key, Modifiers};
 impl Editor {
     /// Handles a key; whether it meant something here.
     pub fn key(&mut self, key: Key, modifiers: Modifiers, pressed: bool, repeat: bool) -> bool {
+        let walks = self.walking_key(key, modifiers.shift).filter(|_| pressed && !self.dialogs.is_open());
+        if let Some(action) = walks {
+            self.perform(action);
+            return true;
+        }
         if let Some(canvas_key) = canvas_key(key) {
             // A held key repeats its press; the canvas gets it once.
             if !repeat {
@@ -80,6 +85,7 @@ impl Editor {
             Key::Y => Some(self.toggled(Tool::LeafBrush)),
             Key::M => Some(self.toggled(Tool::FlowerBrush)),
             Key::N => Some(Action::PaintGarden(!self.garden.is_on)),
+            Key::Q => Some(Action::Walk(!self.plant.state.walking)),
             Key::J => Some(Action::PoseParts(!self.posing.is_on)),
             Key::G => Some(Action::ShowDialog(Dialog::PlantSpecies(None))),
             Key::Home | Key::Num0 => Some(Action::FitCanvas),

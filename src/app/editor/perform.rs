@@ -123,7 +123,9 @@ impl Editor {
             Action::SetLight(light) => self.plant.state.light = light,
             Action::SetShading(shading) => self.plant.state.shading = shading,
             Action::SetOrthographic(on) => self.plant.set_orthographic(on),
-            Action::SetTurntable(on) => self.plant.state.turntable = on,
+            Action::SetTurntable(on) => self.plant.set_turntable(on),
+            Action::Walk(on) => self.walk(on),
+            Action::Stride(step) => self.plant.stride(step),
             Action::SetOverlay(overlay) => {
                 self.plant.state.overlay = overlay;
                 self.live.set_stale();
@@ -151,7 +153,8 @@ impl Editor {
 
     /// Keeps the settings, if they are others than those that were kept last.
     pub(super) fn save_settings(&mut self) {
-        let view = ViewState { turntable: false, overlay: Wanted::default(), ..self.plant.state };
+        let view =
+            ViewState { turntable: false, walking: false, overlay: Wanted::default(), ..self.plant.state };
         let trouble = self.prefs.save(view);
         trouble.into_iter().for_each(|notice| self.notify(notice));
     }

@@ -251,6 +251,7 @@ fn shortcuts(ui: &mut Ui, messages: &Messages) {
         ("Del", Msg::EditDelete),
         ("0", Msg::EditFit),
         ("1", Msg::EditFront),
+        ("Q", Msg::ViewWalk),
     ] {
         all.push((keys.to_owned(), msg));
     }

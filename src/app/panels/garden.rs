@@ -32,9 +32,20 @@ pub(super) fn button(ui: &mut Ui, state: &GardenState, messages: &Messages, out:
     }
 }
 
-/// What its brush paints.
-pub(super) fn options(ui: &mut Ui, state: &GardenState, messages: &Messages, out: &mut Vec<Action>) {
+/// Walks through the garden.
+fn walk_button(ui: &mut Ui, walks: bool, messages: &Messages, out: &mut Vec<Action>) {
+    let name = messages.get(Msg::ViewWalk);
+    let hint = format!("{name} (Q)\n{}", messages.get(Msg::ViewWalkHint));
+    if IconButton::new(Icon::Walk, name).hint(hint).chosen(walks).show(ui).clicked() {
+        out.push(Action::Walk(!walks));
+    }
+}
+
+/// What its brush paints, and the walk through what was painted.
+pub(super) fn options(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
+    let state = &snapshot.garden;
     ui.horizontal(|ui| {
+        walk_button(ui, snapshot.view.walking, messages, out);
         for (kind, icon, name, hint) in KINDS {
             let name = messages.get(name);
             let button = IconButton::new(icon, name).hint(format!("{name}\n{}", messages.get(hint)));

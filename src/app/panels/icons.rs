@@ -63,6 +63,8 @@ icons! {
     GardenPath: ["M4 21 C8 15 5 11 10.5 6", "M16 21 C17 15 12 11 13 6", "M3 6 L21 6"];
     /// Ground with a cross.
     GardenClear: ["M3 17 C6 14 18 14 21 17 C18 21 6 21 3 17 Z", "M9 5 L15 11", "M15 5 L9 11"];
+    /// Somebody who walks.
+    Walk: ["M13.6 4 C13.6 5 12.9 5.7 12 5.7 C11.1 5.7 10.4 5 10.4 4 C10.4 3 11.1 2.3 12 2.3 C12.9 2.3 13.6 3 13.6 4 Z", "M12 7.5 L11.2 14 L14.5 17 L15.8 22", "M11.2 14 L9.5 18 L6.5 21.5", "M7 12.5 L8.5 9.5 L12 7.5 L14 11 L17.5 12"];
     /// An upright pane that faces the viewer.
     FacingSurface: ["M5 4 L19 4 L19 20 L5 20 Z", "M8 16.5 C9 12 12 9 16 7.5"];
     /// A level pane.

@@ -54,7 +54,7 @@ pub(super) fn show(
                 }
             });
             if of_garden.on {
-                garden::options(ui, of_garden, messages, out);
+                garden::options(ui, snapshot, messages, out);
             }
             if of_branches.on || of_poses.on || of_petals.on {
                 ui.horizontal(|ui| match (of_branches.on, of_poses.on) {
@@ -67,7 +67,8 @@ pub(super) fn show(
             let said = said.or_else(|| of_branches.on.then(|| space::said(&of_branches)));
             let said = said.or_else(|| of_brushes.tool.map(brush::said));
             let said = said.or_else(|| of_garden.on.then(|| garden::said(of_garden)));
-            if let Some(said) = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses))) {
+            let said = said.or_else(|| of_poses.on.then(|| pose::said(&of_poses)));
+            if let Some(said) = said.or_else(|| snapshot.view.walking.then_some(Msg::ViewWalking)) {
                 let width = if of_garden.on { garden::WIDTH } else { WIDTH };
                 ui.set_max_width(width.min(plant.width() - 32.0));
                 brush::rails(ui, &of_brushes, messages, out);

@@ -33,6 +33,8 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         out.extend(orthographic.map(Action::SetOrthographic));
         let turntable = switch(ui, messages.get(Msg::ViewTurntable), snapshot.view.turntable);
         out.extend(turntable.map(Action::SetTurntable));
+        let walking = switch(ui, messages.get(Msg::ViewWalk), snapshot.view.walking);
+        out.extend(walking.map(Action::Walk));
         let mut button = |icon, msg, action| {
             let width = ui.available_width();
             if text_button_sized(ui, Some(icon), messages.get(msg), false, Some(width)).clicked() {
