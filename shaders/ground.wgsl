@@ -10,8 +10,8 @@ override SKY_STEP: u32 = 1u;
 const LAWN = vec3(0.085, 0.16, 0.035);
 const LAWN_AMBIENT = 0.3;
 // Distance over which the lawn goes over into the horizon: in distances of shadows, and at least so many metres.
-const HAZE: f32 = 3.0;
-const LEAST_HAZE: f32 = 150.0;
+const HAZE: f32 = 8.0;
+const LEAST_HAZE: f32 = 300.0;
 
 struct Corner {
     @builtin(position) clip: vec4<f32>,
@@ -36,6 +36,14 @@ struct GroundLight {
     open: vec3<f32>,
 };
 
+fn light_on_open_ground() -> vec3<f32> {
+    var open = light.sun.radiance.rgb * light.sun.toward.y;
+    for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
+        open += light.sky[i].radiance.rgb * light.sky[i].toward.y;
+    }
+    return open;
+}
+
 fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> GroundLight {
     let turn = pixel_angle(pixel);
     let sun = light.sun.radiance.rgb * light.sun.toward.y;
@@ -50,15 +58,20 @@ fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> GroundLight {
     return GroundLight(here, open);
 }
 
-// The sky in a direction.
-fn sky_toward(direction: vec3<f32>) -> vec3<f32> {
-    return mix(frame.backdrop_edge.rgb, frame.backdrop_centre.rgb, sqrt(clamp(direction.y, 0.0, 1.0)));
+// The sky so high over the horizon, 0 to 1.
+fn sky_at(height: f32) -> vec3<f32> {
+    return mix(frame.backdrop_edge.rgb, frame.backdrop_centre.rgb, sqrt(clamp(height, 0.0, 1.0)));
 }
 
 // The lawn at a world point so far from the eye, with the shadows of what stands there.
 fn lawn(world: vec3<f32>, fade: f32, away: f32, pixel: vec2<f32>) -> vec3<f32> {
-    let light_there = light_on_ground(world, pixel);
-    let arriving = mix(light_there.open, light_there.here, fade);
+    var arriving = vec3(0.0);
+    if fade > 0.0 {
+        let light_there = light_on_ground(world, pixel);
+        arriving = mix(light_there.open, light_there.here, fade);
+    } else {
+        arriving = light_on_open_ground();
+    }
     let seen = LAWN * (arriving + LAWN_AMBIENT * light.ambient_above.rgb);
     let haze = 1.0 - exp(-away / max(HAZE * frame.foot.w, LEAST_HAZE));
     return mix(seen, frame.backdrop_edge.rgb, haze);
@@ -69,14 +82,22 @@ fn fragment(corner: Corner) -> @location(0) vec4<f32> {
     let near = unprojected(corner.at, 0.0);
     let far = unprojected(corner.at, 1.0);
     let is_outdoors = frame.backdrop_edge.w > 0.5;
-    let paper = select(backdrop(corner.at), sky_toward(normalize(far - near)), is_outdoors);
+    let is_parallel = frame.eye.w < 0.5;
+    let over_ground = near.y - frame.backdrop_centre.w;
+    var paper = backdrop(corner.at);
+    if is_outdoors {
+        // A level parallel viewer sees the ground as a line, and what is below it as if it were cut there.
+        paper = sky_at(select(normalize(far - near).y, over_ground / frame.foot.w, is_parallel));
+        if is_parallel && over_ground < 0.0 { paper = lawn(near, 0.0, 0.0, corner.clip.xy); }
+    }
     let fall = near.y - far.y;
-    let along = (near.y - frame.backdrop_centre.w) / fall;
+    let along = over_ground / fall;
     if fall <= 1e-6 || along <= 0.0 { return vec4(paper, 1.0); }
     let world = mix(near, far, along);
     let fade = 1.0 - smoothstep(0.4, 1.0, distance(world.xz, frame.foot.xz) / frame.foot.w);
     if is_outdoors {
-        return vec4(lawn(world, fade, distance(near, world), corner.clip.xy), 1.0);
+        let away = select(distance(near, world), distance(frame.foot.xyz, world), is_parallel);
+        return vec4(lawn(world, fade, away, corner.clip.xy), 1.0);
     }
     if fade <= 0.0 { return vec4(paper, 1.0); }
     let light_there = light_on_ground(world, corner.clip.xy);

@@ -10,7 +10,7 @@ use penstemon::input::Sources;
 use penstemon::model::{Levels, Model, Part, PartKind};
 use penstemon::pipeline::{self, Built, Level, Params, Seed};
 use penstemon::plant::Texture;
-use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
+use penstemon::render::{Background, Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
 use serde_json::Value;
 use std::borrow::Cow;
@@ -43,7 +43,7 @@ fn seen(
     let framed_for = renderer.upload(framed_for, &texture).unwrap();
     let model = renderer.upload(model, &texture).unwrap().framed_as(&framed_for);
     let view = View { direction, projection: Projection::Orthographic, turn_deg: 0.0 };
-    let options = PictureOptions { width: side, height: side, transparent: true };
+    let options = PictureOptions { width: side, height: side, background: Background::Transparent };
     let picture = renderer.pictures(&model, &[view], &options).next().unwrap().unwrap();
     let (mut covered, mut sum) = (0.0, [0.0; 3]);
     for &[r, g, b, a] in picture.pixels().as_chunks::<4>().0 {

@@ -8,7 +8,7 @@ use crate::live_view::{camera, difference, keep, opened, shot, textures};
 use glam::Vec3;
 use penstemon::model::{Copies, Model};
 use penstemon::pipeline::{self, Seed};
-use penstemon::render::{Look, Mode, PictureOptions, RenderError, Renderer, View};
+use penstemon::render::{Background, Look, Mode, PictureOptions, RenderError, Renderer, View};
 use penstemon::species::Species;
 use std::sync::Arc;
 
@@ -49,7 +49,7 @@ fn copies_are_seen_as_their_triangles_are() {
 fn finished_pictures_have_the_copies() {
     let model = ash();
     let mut renderer = Renderer::new().unwrap();
-    let options = PictureOptions { width: 240, height: 280, transparent: false };
+    let options = PictureOptions { width: 240, height: 280, background: Background::Paper };
     let mut picture = |model: &Model| renderer.picture(model, &textures, &View::default(), &options).unwrap();
     let (mean, far) = difference(&picture(&model.flattened()), &picture(&model), 24);
     assert!(mean < 0.3 && far < 0.005, "{mean} {far}");

@@ -102,15 +102,14 @@ fn a_full_view_is_the_finished_picture() {
         View { direction: Direction::Top, ..View::default() },
     ];
     for (i, view) in views.iter().enumerate() {
-        for transparent in [false, true] {
-            let options = PictureOptions { width: SIZE.0, height: SIZE.1, transparent };
+        for background in [Background::Paper, Background::Outdoors, Background::Transparent] {
+            let options = PictureOptions { width: SIZE.0, height: SIZE.1, background };
             let finished = renderer.picture(&model, &textures, view, &options).unwrap();
-            let background = if transparent { Background::Transparent } else { Background::Paper };
             let look = Look { background, ..Look::default() };
             let live = shot(&renderer, &mut viewport, &camera(&model, view), &look);
-            keep(&format!("full_{i}_{}", u8::from(transparent)), &live);
+            keep(&format!("full_{i}_{}", background as u8), &live);
             let (mean, far) = difference(&finished, &live, 24);
-            assert!(mean < 0.6 && far < 0.004, "{view:?} transparent {transparent}: {mean} {far}");
+            assert!(mean < 0.6 && far < 0.004, "{view:?} {background:?}: {mean} {far}");
         }
     }
 }

@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3, vec3};
 use penstemon::model::{Mesh, Model, Part, PartKind, Vertex};
 use penstemon::plant::{Material, OrganKind, Texture};
 use penstemon::render::{
-    Direction, Gpu, Look, OrbitCamera, PictureOptions, Projection, RenderError, RenderedImage, Renderer,
-    View, Viewport,
+    Background, Direction, Gpu, Look, OrbitCamera, PictureOptions, Projection, RenderError, RenderedImage,
+    Renderer, View, Viewport, walk,
 };
 use penstemon::sketch::{Canvas, Sketch, Stroke, StrokePoint, Tool};
 use std::borrow::Cow;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 const GREEN: [f32; 3] = [0.1, 0.4, 0.05];
 const BROWN: [f32; 3] = [0.25, 0.12, 0.05];
-const SMALL: PictureOptions = PictureOptions { width: 160, height: 120, transparent: false };
+const SMALL: PictureOptions = PictureOptions { width: 160, height: 120, background: Background::Paper };
 const LEVEL: View = View { direction: Direction::Front, projection: Projection::Orthographic, turn_deg: 0.0 };
 
 type Bytes = Result<Cow<'static, [u8]>, Box<dyn Error + Send + Sync>>;
@@ -130,7 +130,7 @@ fn a_plant_throws_its_shadow_away_from_the_sun() {
 
 #[test]
 fn a_transparent_picture_holds_nothing_but_the_plant() {
-    let options = PictureOptions { transparent: true, ..SMALL };
+    let options = PictureOptions { background: Background::Transparent, ..SMALL };
     let picture = picture(&seedling(), &View::default(), &options);
     for (x, y) in [(0, 0), (159, 0), (0, 119), (159, 119), (120, 110)] {
         assert_eq!(picture.pixel(x, y), Some([0; 4]), "at {x}, {y}");
@@ -141,6 +141,47 @@ fn a_transparent_picture_holds_nothing_but_the_plant() {
     for (x, y, [r, g, b, a]) in edge {
         assert!(r.max(g) > 60 && b < 120, "no dark or light fringe at {x}, {y}: {r} {g} {b} {a}");
     }
+}
+
+#[test]
+fn outdoors_the_sky_is_over_a_lawn_and_the_plant_throws_its_shadow() {
+    let options = PictureOptions { background: Background::Outdoors, ..SMALL };
+    let is_sky = |[r, _, b, a]: [u8; 4]| b > r && a == 255;
+    let is_lawn = |[r, g, b, a]: [u8; 4]| g > r && g > b && a == 255;
+    for projection in [Projection::Perspective, Projection::Orthographic] {
+        let view = View { projection, ..View::default() };
+        let picture = picture(&seedling(), &view, &options);
+        for x in [2, 157] {
+            assert!(is_sky(picture.pixel(x, 2).unwrap()), "{projection:?} {:?}", picture.pixel(x, 2));
+            assert!(is_lawn(picture.pixel(x, 117).unwrap()), "{projection:?} {:?}", picture.pixel(x, 117));
+        }
+    }
+    let view = View { direction: Direction::ThreeQuarter, ..View::default() };
+    let lit = picture(&seedling(), &view, &options);
+    let lawn: Vec<u32> = all_pixels(&lit)
+        .filter(|(_, _, p)| is_lawn(*p))
+        .map(|(_, _, p)| (100.0 * brightness(p)) as u32)
+        .collect();
+    let (dark, light) = (lawn.iter().min().unwrap(), lawn.iter().max().unwrap());
+    assert!(10 * dark < 7 * light, "{dark} {light}");
+}
+
+#[test]
+fn a_walk_sees_what_stands_before_it() {
+    let mut renderer = Renderer::new().unwrap();
+    let uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
+    let toward = walk::along(&[Vec2::new(0.0, 8.0), Vec2::new(0.0, 4.0)], 2, 0.8, |_| 0.0);
+    let away = walk::along(&[Vec2::new(0.0, 4.0), Vec2::new(0.0, 8.0)], 1, 0.8, |_| 0.0);
+    let cameras: Vec<_> = toward.into_iter().chain(away).collect();
+    let options = PictureOptions { background: Background::Transparent, ..SMALL };
+    let pictures: Result<Vec<_>, _> = renderer.pictures_by(&uploaded, &cameras, &options).collect();
+    let seen = pictures
+        .unwrap()
+        .iter()
+        .map(|p| all_pixels(p).filter(|(_, _, p)| p[3] > 0).count())
+        .collect::<Vec<_>>();
+    assert!(seen[0] > 20 && seen[1] > 3 * seen[0], "it becomes larger: {seen:?}");
+    assert_eq!(seen[2], 0, "behind the eye");
 }
 
 #[test]
@@ -173,7 +214,7 @@ fn a_turntable_shows_all_sides_and_comes_back() {
 fn one_renderer_makes_pictures_of_any_size() {
     let mut renderer = Renderer::new().unwrap();
     for (width, height) in [(1, 1), (33, 7), (160, 120)] {
-        let options = PictureOptions { width, height, transparent: false };
+        let options = PictureOptions { width, height, background: Background::Paper };
         let picture = renderer.picture(&seedling(), &no_textures, &View::default(), &options).unwrap();
         assert_eq!((picture.width(), picture.height()), (width, height));
     }
@@ -183,7 +224,7 @@ fn one_renderer_makes_pictures_of_any_size() {
 fn impossible_sizes_are_refused() {
     let mut renderer = Renderer::new().unwrap();
     for (width, height) in [(0, 10), (10, 0), (u32::MAX, 1), (1, 1_000_000), (16_000, 16_000)] {
-        let options = PictureOptions { width, height, transparent: false };
+        let options = PictureOptions { width, height, background: Background::Paper };
         let refused = renderer.picture(&seedling(), &no_textures, &View::default(), &options);
         assert!(matches!(refused, Err(RenderError::Size { .. })), "{width}×{height}");
     }
@@ -255,7 +296,7 @@ fn a_texture_stands_upright() {
 #[test]
 fn alpha_cuts_out_only_where_asked() {
     let rows = [[200, 20, 20, 255], [200, 20, 20, 0]];
-    let options = PictureOptions { transparent: true, ..SMALL };
+    let options = PictureOptions { background: Background::Transparent, ..SMALL };
     let cut = with_texture(&pictured_blade(true), &rows, &options);
     assert_eq!(cut.pixel(80, 15).unwrap()[3], 255);
     assert_eq!(cut.pixel(80, 105), Some([0; 4]));
@@ -290,7 +331,7 @@ fn only_double_sided_surfaces_have_a_back() {
     let seen_from_behind = |double_sided| {
         let blade = quad(Vec3::ZERO, Vec3::X, Vec3::Y);
         let leaf = Material { double_sided, ..Material::plain("leaf", GREEN) };
-        let options = PictureOptions { transparent: true, ..SMALL };
+        let options = PictureOptions { background: Background::Transparent, ..SMALL };
         picture(&model([(blade, leaf)]), &View { turn_deg: 180.0, ..LEVEL }, &options).pixel(80, 60).unwrap()
             [3]
     };
@@ -331,7 +372,7 @@ fn three_thickets() -> Model {
 fn a_model_larger_than_a_buffer_is_drawn() {
     let model = three_thickets();
     assert!(model.parts.iter().all(|part| part.mesh.vertices.len() * 32 > 1 << 20));
-    let options = PictureOptions { width: 160, height: 120, transparent: false };
+    let options = PictureOptions { width: 160, height: 120, background: Background::Paper };
     let of =
         |mut renderer: Renderer| renderer.picture(&model, &no_textures, &View::default(), &options).unwrap();
     assert!(of(with_small_buffers()) == of(Renderer::new().unwrap()), "divided buffers make another picture");
@@ -372,7 +413,7 @@ fn drawing() -> Sketch {
 
 #[test]
 fn a_drawing_is_ink_on_paper_thicker_where_the_pen_pressed() {
-    let options = PictureOptions { width: 800, height: 300, transparent: false };
+    let options = PictureOptions { width: 800, height: 300, background: Background::Paper };
     let picture = Renderer::new().unwrap().drawing(&drawing(), &options).unwrap();
     let ink = |columns: std::ops::Range<u32>| {
         let dark = all_pixels(&picture).filter(|(x, _, p)| columns.contains(x) && brightness(*p) < 0.5);

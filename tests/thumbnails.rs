@@ -16,7 +16,7 @@ use penstemon::model::Model;
 use penstemon::picture::decode::decode;
 use penstemon::pipeline::{self, Bloom, Seed};
 use penstemon::plant::Texture;
-use penstemon::render::{Direction, PictureOptions, Projection, Renderer, View};
+use penstemon::render::{Background, Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;
 use std::error::Error;
@@ -102,7 +102,7 @@ fn of_drawing(renderer: &mut Renderer, name: &str) -> Pixels {
 fn picture(renderer: &mut Renderer, model: &Model) -> Pixels {
     let view = View { direction: Direction::Front, projection: Projection::Perspective, turn_deg: 0.0 };
     let side = (SIDE * FINER) as u32;
-    let options = PictureOptions { width: side, height: side, transparent: false };
+    let options = PictureOptions { width: side, height: side, background: Background::Paper };
     let picture = renderer.picture(model, &texture, &view, &options).unwrap();
     let mean = |k: usize| {
         let (x, y) = (k % SIDE * FINER, k / SIDE * FINER);

@@ -18,7 +18,7 @@ use penstemon::cli::common::built_in_texture;
 use penstemon::formats::textures::fetch;
 use penstemon::pipeline;
 use penstemon::plant::Texture;
-use penstemon::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
+use penstemon::render::{Background, Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
 use people::{Drawing, Share};
 use std::error::Error;
 use std::fs;
@@ -131,7 +131,8 @@ impl Sheet {
         renderer: &mut Renderer,
     ) -> Result<(), Box<dyn Error>> {
         let (left, top) = (place % COLUMNS * PICTURES * SIDE, place / COLUMNS * (SIDE + NAME));
-        let options = PictureOptions { width: SIDE as u32, height: SIDE as u32, transparent: false };
+        let options =
+            PictureOptions { width: SIDE as u32, height: SIDE as u32, background: Background::Paper };
         self.put(left, top, &renderer.drawing(&drawing.sketch, &options)?);
         let (species, _) = pipeline::species_or_usual(&drawing.sketch, Path::new(""))?;
         let params = pipeline::params_of(&drawing.sketch, &species, &[])?;

@@ -249,6 +249,8 @@ pub enum Action {
     SetOrthographic(bool),
     /// Turn the plant slowly.
     SetTurntable(bool),
+    /// Shows the plant on a lawn under the sky, or on paper.
+    SetOutdoors(bool),
     /// Walks through the scene, or ends that.
     Walk(bool),
     /// Takes a step while walking.

@@ -454,6 +454,12 @@ impl PlantView {
         self.stir();
     }
 
+    /// Shows a lawn under the sky around the plant, or paper.
+    pub fn set_outdoors(&mut self, on: bool) {
+        self.state.outdoors = on;
+        self.stir();
+    }
+
     /// Moves what moves by itself.
     fn step(&mut self) {
         let now = Instant::now();
@@ -535,7 +541,7 @@ impl PlantView {
             },
             quality: if rests { Quality::Full } else { Quality::Draft },
             background: match theme {
-                _ if self.state.walking => Background::Outdoors,
+                _ if self.state.is_outdoors() => Background::Outdoors,
                 egui::Theme::Light => Background::Paper,
                 egui::Theme::Dark => Background::Dark,
             },

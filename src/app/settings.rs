@@ -345,7 +345,8 @@ mod tests {
         assert!((settings.side_width - SIDE_WIDTH.2).abs() < 1e-6);
         assert_eq!(settings.window, WindowSize { maximised: true, ..WindowSize::default() });
         assert!(settings.export.width >= 16);
-        let ViewState { light, shading, orthographic, turntable, walking: _, overlay } = settings.view;
+        let ViewState { light, shading, orthographic, outdoors: _, turntable, walking: _, overlay } =
+            settings.view;
         assert_eq!((shading, orthographic, turntable), (Shading::Parts, true, false));
         assert!(!overlay.any());
         assert_eq!((light.strength, light.azimuth_deg), (LightChoice::default().strength, 30.0));

@@ -22,6 +22,8 @@ pub struct ViewState {
     pub shading: Shading,
     /// Without perspective.
     pub orthographic: bool,
+    /// On a lawn under the sky, instead of paper.
+    pub outdoors: bool,
     /// Turning by itself; a new session begins at rest.
     #[serde(skip)]
     pub turntable: bool,
@@ -40,6 +42,7 @@ impl Default for ViewState {
             light,
             shading,
             orthographic: true,
+            outdoors: false,
             turntable: false,
             walking: false,
             overlay: Wanted::default(),
@@ -48,6 +51,11 @@ impl Default for ViewState {
 }
 
 impl ViewState {
+    /// Whether the plant is seen outdoors: who walks always sees it so.
+    pub fn is_outdoors(&self) -> bool {
+        self.outdoors || self.walking
+    }
+
     /// The same with numbers that a light can have.
     pub fn sane(self) -> Self {
         Self { light: self.light.sane(), ..self }

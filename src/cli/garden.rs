@@ -74,6 +74,9 @@ pub struct Args {
     /// Width and height of pictures in pixels.
     #[arg(long, value_name = "WxH", default_value = "1600x900")]
     pub size: Size,
+    /// In pictures a lawn under the sky, instead of paper; walks always have it.
+    #[arg(long)]
+    pub outdoors: bool,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub assignments: Assignments,
@@ -85,7 +88,8 @@ pub struct Args {
 impl Args {
     /// How pictures are taken.
     fn options(&self) -> PictureOptions {
-        PictureOptions { width: self.size.width, height: self.size.height, transparent: false }
+        let background = studio::background(false, self.outdoors || self.walk.is_some());
+        PictureOptions { width: self.size.width, height: self.size.height, background }
     }
 
     /// All files that will be written.

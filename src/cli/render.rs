@@ -1,7 +1,7 @@
 //! `penstemon render`: a picture of a sketch or a model, a turntable of pictures, or the drawing itself.
 
 use super::common::{self, BuildOptions, Setup};
-use super::studio::Size;
+use super::studio::{self, Size};
 use super::walk::{self, Walk};
 use crate::atomic;
 use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
@@ -78,6 +78,9 @@ pub struct Args {
     /// Only the plant: no paper, no shadow on it.
     #[arg(long, conflicts_with = "with_drawing")]
     transparent: bool,
+    /// On a lawn under the sky, instead of paper; walks always are.
+    #[arg(long, conflicts_with = "transparent")]
+    outdoors: bool,
     /// Puts the drawing to the left of the plant, each of the given size.
     #[arg(long)]
     with_drawing: bool,
@@ -87,7 +90,8 @@ pub struct Args {
 
 impl Args {
     fn options(&self) -> PictureOptions {
-        PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
+        let background = studio::background(self.transparent, self.outdoors || self.walk.is_some());
+        PictureOptions { width: self.size.width, height: self.size.height, background }
     }
 
     /// The pictures that will be written.
@@ -134,9 +138,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
 
 /// Writes the drawing alone; no plant is built.
 fn render_drawing(args: &Args) -> Result<ExitCode> {
-    if args.with_drawing || args.turntable.is_some() || args.transparent || args.build.stats {
+    if args.with_drawing || args.turntable.is_some() || args.transparent || args.outdoors || args.build.stats
+    {
         bail!(
-            "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable, --transparent and --stats"
+            "`--view drawing` shows the drawing alone; leave out --with-drawing, --turntable, --transparent, --outdoors and --stats"
         );
     }
     if ReadFormat::of(&args.input).is_some() {
@@ -246,6 +251,7 @@ impl Scene {
 mod tests {
     use super::*;
     use crate::cli::{Cli, Verb};
+    use crate::render::Background;
     use clap::Parser;
 
     fn parse(line: &str) -> Result<Args, clap::Error> {
@@ -259,7 +265,10 @@ mod tests {
     fn arguments_become_a_view_and_options() {
         let args =
             parse("penstemon render a.obj -o b.png --view three-quarter --size 8x6 --transparent").unwrap();
-        assert_eq!(args.options(), PictureOptions { width: 8, height: 6, transparent: true });
+        assert_eq!(
+            args.options(),
+            PictureOptions { width: 8, height: 6, background: Background::Transparent }
+        );
         assert_eq!(args.first_view().direction, Direction::ThreeQuarter);
         assert_eq!(args.first_view().projection, Projection::Perspective);
     }
@@ -273,6 +282,7 @@ mod tests {
             "--view up",
             "--walk 3 --view top",
             "--walk 0",
+            "--outdoors --transparent",
         ] {
             assert!(parse(&format!("penstemon render a -o b {options}")).is_err(), "{options}");
         }

@@ -10,7 +10,7 @@ use crate::input::Sources;
 use crate::model::Model;
 use crate::pipeline::{self, Built};
 use crate::plant::Texture;
-use crate::render::{Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
+use crate::render::{Background, Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
 use anyhow::{Context, Result, ensure};
 use std::borrow::Cow;
@@ -92,12 +92,25 @@ pub struct PictureArgs {
     /// In pictures only the plant: no paper, no shadow on it.
     #[arg(long)]
     pub transparent: bool,
+    /// In pictures a lawn under the sky, instead of paper.
+    #[arg(long, conflicts_with = "transparent")]
+    pub outdoors: bool,
 }
 
 impl PictureArgs {
     /// Their size and background, for the renderer.
     pub fn options(&self) -> PictureOptions {
-        PictureOptions { width: self.size.width, height: self.size.height, transparent: self.transparent }
+        let background = background(self.transparent, self.outdoors);
+        PictureOptions { width: self.size.width, height: self.size.height, background }
+    }
+}
+
+/// What plants stand on in pictures.
+pub(super) fn background(transparent: bool, outdoors: bool) -> Background {
+    match (transparent, outdoors) {
+        (true, _) => Background::Transparent,
+        (false, true) => Background::Outdoors,
+        (false, false) => Background::Paper,
     }
 }
 

@@ -212,7 +212,7 @@ mod tests {
     use super::*;
     use crate::model::{Mesh, Model, Part, PartKind, Vertex};
     use crate::plant::Material;
-    use crate::render::{PictureOptions, Renderer, View};
+    use crate::render::{Background, PictureOptions, Renderer, View};
     use glam::{Vec2, Vec3};
 
     #[test]
@@ -258,7 +258,7 @@ mod tests {
     #[test]
     fn a_lost_device_is_an_error() {
         let mut renderer = Renderer::new().unwrap();
-        let options = PictureOptions { width: 8, height: 8, transparent: false };
+        let options = PictureOptions { width: 8, height: 8, background: Background::Paper };
         let uploaded = renderer.upload(&triangle(), &|_| Err("none".into())).unwrap();
         let draw =
             |renderer: &mut Renderer| renderer.pictures(&uploaded, &[View::default()], &options).next();

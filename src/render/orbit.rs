@@ -107,6 +107,13 @@ impl OrbitCamera {
         self.yaw_deg = wrapped(self.yaw_deg + degrees);
     }
 
+    /// Turns the viewer where he is: a step of a panorama.
+    pub fn turn_in_place(&mut self, degrees: f32) {
+        let eye = self.eye();
+        self.turn(degrees);
+        self.target = eye - self.axes().back * self.distance;
+    }
+
     /// Moves sideways with a drag: the target's plane follows the pointer.
     pub fn pan(&mut self, drag: Vec2) {
         let axes = self.axes();

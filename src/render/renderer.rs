@@ -25,13 +25,13 @@ pub struct PictureOptions {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// No paper and no shadow on it: only the plant, everything else clear.
-    pub transparent: bool,
+    /// What the plant stands on.
+    pub background: Background,
 }
 
 impl Default for PictureOptions {
     fn default() -> Self {
-        Self { width: 1200, height: 900, transparent: false }
+        Self { width: 1200, height: 900, background: Background::Paper }
     }
 }
 
@@ -188,13 +188,13 @@ impl Renderer {
         let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
         let framing = Framing::new(&model.points, model.bounds, views, aspect);
         views.iter().map(move |view| {
-            let frame = FrameUniform::new(&framing.camera(view), model.bounds, Background::Paper);
+            let frame = FrameUniform::new(&framing.camera(view), model.bounds, options.background);
             let light = LightUniform::new(model.bounds, &view.level_axes(), &lamps, SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })
     }
 
-    /// A picture by each of these cameras, outdoors: the frames of a walk.
+    /// A picture by each of these cameras: the frames of a walk.
     ///
     /// # Errors
     /// As for [`Renderer::pictures`].
@@ -209,7 +209,7 @@ impl Renderer {
         let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
         cameras.iter().map(move |camera| {
             let frame =
-                FrameUniform::new(&camera.camera(model.bounds, aspect), model.bounds, Background::Outdoors);
+                FrameUniform::new(&camera.camera(model.bounds, aspect), model.bounds, options.background);
             let light = LightUniform::new(model.bounds, &camera.level_axes(), &lamps, SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })
@@ -239,7 +239,7 @@ impl Renderer {
         let mut encoder = self.gpu.device.create_command_encoder(&Default::default());
         let mut pass = target.buffers.begin(&mut encoder);
         pass.set_bind_group(0, &self.scene.group, &[]);
-        if !options.transparent {
+        if options.background != Background::Transparent {
             self.ground.draw(&mut pass);
         }
         self.surface.draw(&mut pass, &model.surface);

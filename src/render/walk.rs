@@ -51,7 +51,7 @@ impl OrbitCamera {
     /// Turns the eye where it is.
     pub fn look_around(&mut self, drag: Vec2) {
         let (eye, opening) = (self.eye(), self.field_of_view_deg);
-        self.turn(drag.x * opening);
+        self.turn_in_place(drag.x * opening);
         self.pitch_deg = (self.pitch_deg - drag.y * opening).clamp(-STEEPEST, STEEPEST);
         *self = self.with_eye(eye);
     }

@@ -8,6 +8,7 @@ use super::estimate::is_wanted;
 use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
 use crate::app::texture_files::{self, built_in_texture};
+use crate::app::view_state::ViewState;
 use crate::formats::write::{self, ExportError, InstanceForm, Surfaces};
 use crate::input::Sources;
 use crate::model::Model;
@@ -57,6 +58,7 @@ pub(super) struct Order {
     pub(super) built: Arc<Built>,
     pub(super) camera: OrbitCamera,
     pub(super) light: LightParams,
+    pub(super) view: ViewState,
     /// The files that the plant comes from.
     pub(super) sources: Sources,
 }
@@ -163,7 +165,13 @@ fn write_pictures(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             break;
         }
         let mut camera = order.camera;
-        camera.turn(360.0 * frame as f32 / choice.frames as f32);
+        let degrees = 360.0 * frame as f32 / choice.frames as f32;
+        // Who walks looks around.
+        if order.view.walking {
+            camera.turn_in_place(degrees);
+        } else {
+            camera.turn(degrees);
+        }
         let path = frame_path(&order.path, frame, choice.frames);
         let png = picture(&mut renderer, order, &camera)?;
         bytes += write(order, &path, &png)?;
@@ -177,7 +185,11 @@ fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Resu
     let mut viewport = Viewport::new(renderer).map_err(boxed)?;
     viewport.set_size(order.choice.width, order.choice.height);
     viewport.update(renderer, &pipeline::seen(&order.built), &texture_files::texture).map_err(boxed)?;
-    let background = if order.choice.transparent { Background::Transparent } else { Background::Paper };
+    let background = match order.choice.transparent {
+        true => Background::Transparent,
+        false if order.view.is_outdoors() => Background::Outdoors,
+        false => Background::Paper,
+    };
     let look = Look { background, light: order.light.clone(), ..Look::default() };
     viewport.draw(renderer, camera, &look).map_err(boxed)?;
     viewport.snapshot(renderer).and_then(|picture| picture.to_png()).map_err(boxed)

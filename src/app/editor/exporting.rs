@@ -19,6 +19,7 @@ impl Editor {
             sketch: self.sketch().clone(),
             camera: self.plant.camera(),
             light: self.plant.light(),
+            view: self.plant.state,
             sources: self.sources(&built),
             built,
         };

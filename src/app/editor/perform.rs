@@ -124,6 +124,7 @@ impl Editor {
             Action::SetShading(shading) => self.plant.state.shading = shading,
             Action::SetOrthographic(on) => self.plant.set_orthographic(on),
             Action::SetTurntable(on) => self.plant.set_turntable(on),
+            Action::SetOutdoors(on) => self.plant.set_outdoors(on),
             Action::Walk(on) => self.walk(on),
             Action::Stride(step) => self.plant.stride(step),
             Action::SetOverlay(overlay) => {

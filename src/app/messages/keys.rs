@@ -181,6 +181,7 @@ keys! {
     ViewParts = "view.parts",
     ViewOrthographic = "view.orthographic",
     ViewTurntable = "view.turntable",
+    ViewOutdoors = "view.outdoors",
     ViewWalk = "view.walk",
     ViewWalkHint = "view.walk_hint",
     ViewWalking = "view.walking",

@@ -31,6 +31,8 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         out.extend(segments(ui, &choices, snapshot.view.shading).map(Action::SetShading));
         let orthographic = switch(ui, messages.get(Msg::ViewOrthographic), snapshot.view.orthographic);
         out.extend(orthographic.map(Action::SetOrthographic));
+        let outdoors = switch(ui, messages.get(Msg::ViewOutdoors), snapshot.view.outdoors);
+        out.extend(outdoors.map(Action::SetOutdoors));
         let turntable = switch(ui, messages.get(Msg::ViewTurntable), snapshot.view.turntable);
         out.extend(turntable.map(Action::SetTurntable));
         let walking = switch(ui, messages.get(Msg::ViewWalk), snapshot.view.walking);
