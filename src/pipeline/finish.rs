@@ -35,6 +35,8 @@ pub struct Built {
     pub plant: FinishedPlant,
     /// What only its drawing knows of the plant.
     pub provenance: Provenance,
+    /// What its parts are known by.
+    pub names: PartNames,
     /// What stands beside it: seen in pictures, no part of its files.
     pub obstacles: Option<Arc<Obstacles>>,
     /// Its drawn wood, as it was modelled: where branches that are drawn in space can begin.
@@ -76,6 +78,7 @@ pub(super) fn finish(
         produced;
     let (mut poses, may_flower) = (produced.poses, produced.may_flower);
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
+    let names = PartNames::new(&provenance);
     let plant = clock.time("species", || {
         let Applied { mut plant, is_blossom_thinned } = species::apply_within(
             plant,
@@ -89,7 +92,7 @@ pub(super) fn finish(
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
         species::textures::lay_over(&mut plant, pictures);
-        let by = (&PartNames::new(&provenance), &mut poses, provenance.world_from_canvas.scale);
+        let by = (&names, &mut poses, provenance.world_from_canvas.scale);
         plant.reshape(|plant| modelling::pose_organs(plant, by, &mut wood.posed));
         placing.iter().for_each(|placing| placing.place(&mut plant));
         debug_assert_eq!(plant.check_invariants(), Ok(()));
@@ -128,6 +131,7 @@ pub(super) fn finish(
         growth,
         plant,
         provenance,
+        names,
         obstacles,
         wood,
         beside,

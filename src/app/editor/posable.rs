@@ -5,7 +5,7 @@
 
 use super::Editor;
 use crate::model::pick::Element;
-use crate::modelling::{OrganGroup, PartFrame, PartNames};
+use crate::modelling::{OrganGroup, PartFrame};
 use crate::plant::{Branch, Origin, Shape};
 use crate::sketch::PartName;
 use glam::Vec3;
@@ -35,15 +35,15 @@ impl Editor {
     /// The part of a name; none where the plant has none.
     pub(super) fn posable(&self, name: PartName) -> Option<Posable<'_>> {
         let built = self.built()?;
-        let (names, posed) = (PartNames::new(&built.provenance), &built.wood.posed);
+        let (names, posed) = (&built.names, &built.wood.posed);
         let is_it = |branch: &&Branch| names.of(branch.origin) == Some(name);
         let drawn = built.wood.branches(&built.plant).map(|(_, branch)| branch).find(is_it);
         if let Some(branch) = drawn.or_else(|| built.plant.branches.iter().find(is_it)) {
             let base = *branch.points.first()?;
             return Some(Posable { base, frame: posed.frame(branch), part: Part::Branch(branch) });
         }
-        let group = OrganGroup::all(&built.plant, &names, |known| known == name).pop()?;
-        let frame = group.frame(&built.plant, &names, posed);
+        let group = OrganGroup::all(&built.plant, names, |known| known == name).pop()?;
+        let frame = group.frame(&built.plant, names, posed);
         Some(Posable { base: group.base, frame, part: Part::Organs(group) })
     }
 
@@ -53,7 +53,7 @@ impl Editor {
         if super::picking::place_of(hit, &built.beside).is_some() {
             return Vec::new();
         }
-        let names = PartNames::new(&built.provenance);
+        let names = &built.names;
         let (mut parts, branch) = match hit {
             Element::Branch(branch) => (Vec::new(), Some(branch)),
             Element::Organ(index) => {
@@ -106,6 +106,6 @@ impl Editor {
     /// Place in the plant of the branch that is chosen.
     pub(super) fn chosen_branch(&self) -> Option<usize> {
         let (built, name) = self.built().zip(self.posing.last)?;
-        PartNames::new(&built.provenance).branch(&built.plant, name)
+        built.names.branch(&built.plant, name)
     }
 }

@@ -19,7 +19,7 @@ use crate::app::panels::snapshot::PoseState;
 use crate::app::pose_drag::PoseDrag;
 use crate::geom::polyline;
 use crate::model::pick::{Element, pick};
-use crate::modelling::{OrganGroup, PartFrame, PartNames};
+use crate::modelling::{OrganGroup, PartFrame};
 use crate::sketch::part_poses::{PartPose, pose_of, posed};
 use crate::sketch::{Change, PartName};
 use glam::{DVec2, Quat, Vec3};
@@ -141,7 +141,7 @@ impl Editor {
         if self.is_organ_meant(hit.element) {
             return self.hold(*parts.first()?, grip);
         }
-        let names = PartNames::new(&built.provenance);
+        let names = &built.names;
         let is_branch = |name: &&PartName| names.branch(&built.plant, **name).is_some();
         let twig = || self.hold(*parts.iter().find(is_branch)?, grip);
         match hit.element {
@@ -153,7 +153,7 @@ impl Editor {
     /// The drawn branch under a place in the window.
     fn drawn_hold(&self, at: DVec2) -> Option<PartHold> {
         let (branch, grip) = self.wood_at(at)?;
-        self.hold(PartNames::new(&self.built()?.provenance).of(branch.origin)?, grip)
+        self.hold(self.built()?.names.of(branch.origin)?, grip)
     }
 
     /// A part held at a place, unless that is too near to its base to turn it.
@@ -187,7 +187,7 @@ impl Editor {
         let (end, radius) = (stem.points.last()?, stem.radii.last()?);
         let ends_there =
             end.distance(group.base) <= (4.0 * radius).max(LEAST_LEVER * polyline::length(&stem.points));
-        PartNames::new(&built.provenance).of(stem.origin).filter(|_| ends_there)
+        built.names.of(stem.origin).filter(|_| ends_there)
     }
 
     /// Poses the part that is held with the pointer.
