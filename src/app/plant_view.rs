@@ -2,17 +2,18 @@
 //!
 //! Wheel and pinch zoom, a double tap shows the front as it was drawn. A single tap picks a part of the plant, once it is
 //! clear that no second tap follows. What presses do is up to the tools (`plant_tools`).
-//! One can walk through the scene as well (`render/walk.rs`): drags look around, a tap on the ground goes there, wheel and pinch go ahead and
-//! back, and where drags would move the plant they pull the ground.
+//! One can walk through the scene as well (`plant_view/walking.rs`).
 //! The camera follows the plant's growth until the artist takes hold of it; camera moves that were asked for by a button
 //! are shown as a short flight. Pictures are drafts while anything moves and finished ones when it rests.
 
-use super::view_state::{LightChoice, Shading, Stride, ViewState};
+mod walking;
+
+use super::view_state::{LightChoice, Shading, ViewState};
 use crate::geom::ray::Ray;
 use crate::pen::{PenPhase, PenSample};
-use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality, walk};
+use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{Response, Sense, Ui};
-use glam::{DVec2, Vec2, Vec3, Vec3Swizzles as _};
+use glam::{DVec2, Vec2, Vec3};
 use std::time::{Duration, Instant};
 
 /// Length of a flight of the camera.
@@ -26,16 +27,6 @@ const NOTHING_DRAWN: (Vec3, Vec3) = (Vec3::new(-0.5, 0.0, -0.5), Vec3::new(0.5, 
 const GROUND_LIFT: f32 = 0.14;
 /// Turn of the turntable, degrees per second.
 const TURNTABLE: f32 = 24.0;
-/// Steps of a walk, in heights of the eye: for a key, for a wheel that makes things e times as large, and for a drag over the whole height
-/// of the view; and the turn of a key in shares of that height.
-const STEP: f32 = 0.12;
-const PER_ZOOM: f32 = 2.0;
-const PULL: f32 = 3.0;
-const STEP_TURN: f32 = 0.06;
-/// Heights of a plant from which one sees it whole at first.
-const SEEN_WHOLE: f32 = 1.6;
-/// How many times as high the eye is after a key.
-const STEP_UP: f32 = 1.1;
 /// How long the view must rest before it is finished.
 const REST: Duration = Duration::from_millis(450);
 /// How long after a click a second one makes it a double click.
@@ -84,8 +75,8 @@ pub struct PlantView {
     camera: OrbitCamera,
     guide: Guide,
     flight: Option<Flight>,
-    /// From where the plant was seen before the walk.
-    before_walk: Option<OrbitCamera>,
+    /// From where the plant was seen before the walk, and by whom that was decided.
+    before_walk: Option<(OrbitCamera, Guide)>,
     last_step: Option<Instant>,
     /// When something last moved, and whether the finished picture of it is due.
     moved: Option<Instant>,
@@ -175,16 +166,10 @@ impl PlantView {
 
     fn zoom(&mut self, factor: f32, about: Vec2) {
         if self.state.walking {
-            self.go(PER_ZOOM * factor.max(f32::MIN_POSITIVE).ln(), 0.0);
+            self.approach(factor);
         } else {
             self.camera.zoom(factor, about);
         }
-    }
-
-    /// Goes so many heights of the eye ahead and to the right.
-    fn go(&mut self, ahead: f32, aside: f32) {
-        let height = self.camera.eye().y;
-        self.camera.go(ahead * height, aside * height);
     }
 
     /// Turns the plant by a drag of so many physical pixels anywhere in the window, or who walks looks around.
@@ -203,7 +188,7 @@ impl PlantView {
         let by = self.share(by);
         self.take_hold();
         if self.state.walking {
-            self.go(PULL * by.y, -PULL * by.x);
+            self.pull_ground(by);
         } else {
             self.camera.pan(by);
         }
@@ -368,62 +353,10 @@ impl PlantView {
         self.flight = Some(Flight { from: self.camera, to: Some(to), begun: Instant::now() });
     }
 
-    /// Walks through the scene between these corners from where it is looked at now, among plants up to so many metres high, or goes back
-    /// to where it was seen from before.
-    pub fn walk(&mut self, on: bool, (low, high): (Vec3, Vec3)) {
-        if on == self.state.walking {
-            return;
-        }
-        self.take_hold();
-        (self.state.walking, self.state.turntable) = (on, false);
-        if !on {
-            let before = self.before_walk.take().unwrap_or(self.camera);
-            return self.fly_to(OrbitCamera { projection: self.projection(), ..before });
-        }
-        self.before_walk = Some(self.camera);
-        let (middle, half) = (low.midpoint(high).xz(), (high - low).xz() / 2.0);
-        let toward = Vec2::from_angle((90.0 - self.camera.yaw_deg).to_radians());
-        // At the border of the ellipse in the ground, or where the plant is seen whole.
-        let edge = (half * toward).length().max(SEEN_WHOLE * high.y);
-        let at = middle + toward * edge;
-        let camera = OrbitCamera::at_eye(at, walk::eye_height(high.y), middle, self.camera.yaw_deg);
-        self.fly_to(camera);
-    }
-
-    /// Goes to what is seen of the ground at a place of the view; at the sky nothing happens.
-    fn walk_to(&mut self, place: Vec2) {
-        self.take_hold();
-        if let Some(place) = self.camera.ground_at(place) {
-            self.fly_to(self.camera.near(place));
-        }
-    }
-
-    /// Takes a step while walking.
-    pub fn stride(&mut self, step: Stride) {
-        if !self.state.walking {
-            return;
-        }
-        self.take_hold();
-        let sign = |positive| if positive { 1.0 } else { -1.0 };
-        match step {
-            Stride::Ahead(ahead) => self.go(STEP * sign(ahead), 0.0),
-            Stride::Aside(right) => self.go(0.0, STEP * sign(right)),
-            Stride::Turn(right) => self.camera.look_around(Vec2::new(-STEP_TURN * sign(right), 0.0)),
-            Stride::Rise(up) => self.camera.rise(STEP_UP.powf(sign(up))),
-        }
-    }
-
     /// Lets the plant turn by itself, or stops it.
     pub fn set_turntable(&mut self, on: bool) {
         self.stop_walking();
         self.state.turntable = on;
-    }
-
-    /// Ends a walk at once.
-    fn stop_walking(&mut self) {
-        if let Some(before) = self.before_walk.take().filter(|_| self.state.walking) {
-            (self.camera, self.flight, self.state.walking) = (before, None, false);
-        }
     }
 
     /// Looks from above at the ground around the plant, or at the garden between these corners, and stays there.

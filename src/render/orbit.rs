@@ -107,7 +107,7 @@ impl OrbitCamera {
         self.yaw_deg = wrapped(self.yaw_deg + degrees);
     }
 
-    /// Turns the viewer where he is: a step of a panorama.
+    /// Turns the viewer in place: a step of a panorama.
     pub fn turn_in_place(&mut self, degrees: f32) {
         let eye = self.eye();
         self.turn(degrees);

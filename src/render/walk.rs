@@ -22,7 +22,7 @@ const STEEPEST: f32 = 85.0;
 const HEIGHTS: std::ops::RangeInclusive<f32> = 0.02..=100.0;
 /// Farthest from the plant, metres.
 const FARTHEST: f32 = 1000.0;
-/// How far in front of a walker the place is at which he looks, in heights of his eye; and how much lower than the eye, degrees.
+/// How far ahead on a line one looks, in heights of the eye; and how far down at first, degrees.
 const LOOKS_AHEAD: f32 = 2.0;
 const LOOKS_DOWN: f32 = 12.0;
 
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn somebody_who_stands_turns_the_head_and_stays_where_he_is() {
+    fn looking_around_leaves_the_eye_where_it_is() {
         let mut camera = camera();
         let eye = Vec3::new(1.0, 1.5, 2.0);
         assert!(near(camera.eye(), eye) && camera.yaw_deg.abs() < 1e-3);

@@ -9,8 +9,9 @@ use glam::Vec3;
 impl Editor {
     /// Begins to walk through the plant and its garden, or ends it; without anything to see there is nowhere to go.
     pub(super) fn walk(&mut self, on: bool) {
-        if let Some(scene) = self.scene_bounds() {
-            self.plant.walk(on, scene);
+        match self.scene_bounds() {
+            Some(scene) => self.plant.walk(on, scene),
+            None => self.plant.walk(false, Default::default()),
         }
     }
 
