@@ -3,7 +3,7 @@
 
 // Each lamp stands for a wide piece of sky: looked up this far away at most, in map widths, it draws no shadow of its own.
 const SKY_BLUR: f32 = 0.035;
-// Every how many-th lamp of the sky is looked at.
+// Every how many-th lamp of the sky is looked at; each stands for so many.
 override SKY_STEP: u32 = 1u;
 
 // Linear colour of the lawn outdoors: that of gardens, `LAWN` in src/garden/surface.rs, and how much of it is seen without sun and sky.
@@ -39,7 +39,7 @@ struct GroundLight {
 fn light_on_open_ground() -> vec3<f32> {
     var open = light.sun.radiance.rgb * light.sun.toward.y;
     for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
-        open += light.sky[i].radiance.rgb * light.sky[i].toward.y;
+        open += f32(SKY_STEP) * light.sky[i].radiance.rgb * light.sky[i].toward.y;
     }
     return open;
 }
@@ -51,7 +51,7 @@ fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> GroundLight {
     var here = sun * sun_visibility(world, pixel);
     for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
         let lamp = light.sky[i];
-        let sky = lamp.radiance.rgb * lamp.toward.y;
+        let sky = f32(SKY_STEP) * lamp.radiance.rgb * lamp.toward.y;
         open += sky;
         here += sky * sky_visibility(i, world, SKY_BLUR * disc(i, SKY_LAMPS, turn));
     }

@@ -33,6 +33,13 @@ impl Ray {
         let inside = along_ab >= 0.0 && along_ac >= 0.0 && along_ab + along_ac <= 1.0;
         Some(ac.dot(across) / determinant).filter(|distance| inside && *distance >= 0.0)
     }
+
+    /// Distance to where the ray enters a box between two corners; `None` where it misses it or begins inside.
+    pub fn enters(&self, (low, high): (Vec3, Vec3)) -> Option<f32> {
+        let (a, b) = ((low - self.origin) / self.direction, (high - self.origin) / self.direction);
+        let (enters, leaves) = (a.min(b).max_element(), a.max(b).min_element());
+        (enters > 0.0 && enters <= leaves).then_some(enters)
+    }
 }
 
 #[cfg(test)]
@@ -40,6 +47,20 @@ mod tests {
     use super::*;
 
     const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+
+    #[test]
+    fn a_box_is_entered_from_outside_only() {
+        let (low, high) = (Vec3::splat(-1.0), Vec3::ONE);
+        let enters = |origin, direction| Ray { origin, direction }.enters((low, high));
+        assert_eq!(enters(Vec3::new(0.5, 0.5, 4.0), Vec3::NEG_Z), Some(3.0));
+        for (origin, direction) in [
+            (Vec3::new(0.0, 0.0, 4.0), Vec3::Z),
+            (Vec3::new(2.0, 0.0, 4.0), Vec3::NEG_Z),
+            (Vec3::ZERO, Vec3::X),
+        ] {
+            assert_eq!(enters(origin, direction), None, "{origin} {direction}");
+        }
+    }
 
     #[test]
     fn a_triangle_is_met_from_both_sides_and_missed_beside_and_behind() {

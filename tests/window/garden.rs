@@ -1,7 +1,7 @@
 //! A garden painted by mouse on the ground in the view of the plant.
 
 use crate::program::Program;
-use crate::screen::Screen;
+use crate::screen::{Pixels, Screen};
 use crate::sketch_saved_by;
 use penstemon::sketch::{GardenTool, Sketch};
 use std::path::Path;
@@ -53,4 +53,35 @@ fn beds_and_single_plants_are_painted_and_each_is_one_step() {
         program.built();
         assert_eq!(saved(&screen, &mut program, &file).garden.len(), left, "one step each");
     }
+}
+
+#[test]
+fn one_walks_to_what_is_tapped_and_comes_back() {
+    let (screen, home) = (Screen::beside_others(1280, 800), TempDir::new().unwrap());
+    let file = home.path().join("stem.penstemon");
+    std::fs::write(&file, STEM).unwrap();
+    let mut program = Program::start(&screen, home.path(), &[file.to_str().unwrap()]);
+    program.built();
+    let area @ [left, top, width, height] = program.area("plant");
+    let at = |x: f64, y: f64| [left + x * width, top + y * height];
+    // The sky is blue, paper is not.
+    let sky = move |picture: &Pixels| {
+        let [x, y] = at(0.5, 0.03).map(|place| place as u32);
+        let [red, _, blue] = picture.at(x, y);
+        blue > red
+    };
+
+    let before = program.picture_where(&screen, |picture| !sky(picture));
+    screen.hand(&["key", "q"]);
+    let there = program.picture_where(&screen, sky);
+    there.keep("walking");
+    assert!(sky(&there), "the sky is over the plant");
+    screen.click(at(0.25, 0.65));
+    let nearer =
+        program.picture_where(&screen, |picture| sky(picture) && picture.changed(&there, area) > 0.02);
+    nearer.keep("walked");
+    assert!(nearer.changed(&there, area) > 0.02, "one stands elsewhere");
+    screen.hand(&["key", "Escape"]);
+    let after = program.picture_where(&screen, |picture| !sky(picture));
+    assert!(after.changed(&before, area) < 0.01, "the plant is seen as before");
 }

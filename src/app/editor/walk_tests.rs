@@ -99,6 +99,20 @@ fn a_tap_goes_there_and_a_drag_looks_around() {
 }
 
 #[test]
+fn one_does_not_walk_through_the_plant_that_is_tapped() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = walking(&home);
+    let (low, high) = editor.plant.bounds().unwrap();
+    let at = editor.plant.seen_at(low.midpoint(high)).unwrap();
+    let start = editor.plant.camera().eye();
+    touch(&mut editor, (PenPhase::Down, PenTool::Pen), at, 0.5);
+    touch(&mut editor, (PenPhase::Up, PenTool::Pen), at, 0.0);
+    arrive(&mut editor, &egui);
+    let eye = editor.plant.camera().eye();
+    assert!(eye.z < start.z && eye.z > high.z, "before the plant: {start} {eye} {high}");
+}
+
+#[test]
 fn a_garden_is_painted_while_one_stands_in_it() {
     let home = tempfile::tempdir().unwrap();
     let (mut editor, egui) = walking(&home);

@@ -46,10 +46,12 @@ impl PlantView {
         self.fly_to(camera);
     }
 
-    /// Goes to what is seen of the ground at a place of the view; at the sky nothing happens.
+    /// Goes to what is seen of the ground at a place of the view, or to the plant before it; at the sky nothing happens.
     pub(super) fn walk_to(&mut self, place: Vec2) {
         self.take_hold();
-        if let Some(place) = self.camera.ground_at(place) {
+        let plant = self.ray(place).zip(self.bounds);
+        let at_plant = plant.and_then(|(ray, bounds)| Some(ray.at(ray.enters(bounds)?).xz()));
+        if let Some(place) = at_plant.or_else(|| self.camera.ground_at(place)) {
             self.fly_to(self.camera.near(place));
         }
     }
