@@ -13,6 +13,10 @@ const ASIDE: f32 = 0.2;
 
 /// How far through the scene it leads: at the end something is still to be seen.
 const THROUGH: f32 = 0.6;
+/// A scene that is less than twice as deep as high, as a single plant is, is only approached: from so far away to so near, in its heights.
+/// Nearer one would look over it.
+const BEFORE: f32 = 2.5;
+const UP_TO: f32 = 1.2;
 
 /// A walk.
 pub(super) struct Walk<'a> {
@@ -26,18 +30,23 @@ pub(super) struct Walk<'a> {
     pub(super) count: u32,
 }
 
-/// The longest of some lines that has any length; without such a line one from the front to the back of what lies between these corners.
+/// The longest of some lines that has any length; without such a line one straight into what lies between these corners,
+/// or up to it.
 pub(super) fn longest(lines: impl Iterator<Item = Vec<Vec2>>, (low, high): (Vec3, Vec3)) -> Vec<Vec2> {
     let with_length = lines.map(|line| (polyline::length(&line), line));
     let longest = with_length.filter(|(length, _)| *length > 0.0).max_by(|a, b| a.0.total_cmp(&b.0));
-    longest.map_or_else(
-        || {
-            let x = low.x.midpoint(high.x) + ASIDE * (high.x - low.x);
-            let end = high.z + THROUGH * (low.z - high.z);
-            vec![Vec2::new(x, high.z), Vec2::new(x, end)]
-        },
-        |(_, line)| line,
-    )
+    longest.map_or_else(|| straight(low, high), |(_, line)| line)
+}
+
+/// Straight into what lies between two corners, or up to it.
+fn straight(low: Vec3, high: Vec3) -> Vec<Vec2> {
+    let x = low.x.midpoint(high.x) + ASIDE * (high.x - low.x);
+    let (depth, height) = (high.z - low.z, high.y - low.y);
+    let (from, to) = match depth > 2.0 * height {
+        true => (high.z, high.z - THROUGH * depth),
+        false => (high.z + BEFORE * height, high.z + UP_TO * height),
+    };
+    vec![Vec2::new(x, from), Vec2::new(x, to)]
 }
 
 /// Where the pictures of a walk go.
@@ -82,6 +91,8 @@ mod tests {
         assert_eq!(longest(paths.clone().into_iter(), bounds), paths[1]);
         let across = longest(paths.into_iter().skip(2), bounds);
         assert!(across[0] == Vec2::new(2.0, 3.0) && across[1].distance(Vec2::new(2.0, -0.6)) < 1e-4);
+        let one = longest(std::iter::empty(), (Vec3::new(-0.5, 0.0, -0.2), Vec3::new(0.5, 1.0, 0.2)));
+        assert!(one[0].distance(Vec2::new(0.2, 2.7)) < 1e-4 && one[1].distance(Vec2::new(0.2, 1.4)) < 1e-4);
         let names = pictures(Path::new("a/walk.png"), 2);
         assert_eq!(names, [Path::new("a/walk-000.png"), Path::new("a/walk-001.png")]);
     }
