@@ -30,12 +30,7 @@ fn unprojected(at: vec2<f32>, depth: f32) -> vec3<f32> {
     return world.xyz / world.w;
 }
 
-// Light on the ground at a world point, and on open ground.
-struct GroundLight {
-    here: vec3<f32>,
-    open: vec3<f32>,
-};
-
+// Light on open ground.
 fn light_on_open_ground() -> vec3<f32> {
     var open = light.sun.radiance.rgb * light.sun.toward.y;
     for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
@@ -44,18 +39,16 @@ fn light_on_open_ground() -> vec3<f32> {
     return open;
 }
 
-fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> GroundLight {
+// Light on the ground at a world point.
+fn light_on_ground(world: vec3<f32>, pixel: vec2<f32>) -> vec3<f32> {
     let turn = pixel_angle(pixel);
-    let sun = light.sun.radiance.rgb * light.sun.toward.y;
-    var open = sun;
-    var here = sun * sun_visibility(world, pixel);
+    var here = light.sun.radiance.rgb * light.sun.toward.y * sun_visibility(world, pixel);
     for (var i = 0u; i < SKY_LAMPS; i += SKY_STEP) {
         let lamp = light.sky[i];
         let sky = f32(SKY_STEP) * lamp.radiance.rgb * lamp.toward.y;
-        open += sky;
         here += sky * sky_visibility(i, world, SKY_BLUR * disc(i, SKY_LAMPS, turn));
     }
-    return GroundLight(here, open);
+    return here;
 }
 
 // The sky so high over the horizon, 0 to 1.
@@ -65,13 +58,8 @@ fn sky_at(height: f32) -> vec3<f32> {
 
 // The lawn at a world point so far from the eye, with the shadows of what stands there.
 fn lawn(world: vec3<f32>, fade: f32, away: f32, pixel: vec2<f32>) -> vec3<f32> {
-    var arriving = vec3(0.0);
-    if fade > 0.0 {
-        let light_there = light_on_ground(world, pixel);
-        arriving = mix(light_there.open, light_there.here, fade);
-    } else {
-        arriving = light_on_open_ground();
-    }
+    var arriving = light_on_open_ground();
+    if fade > 0.0 { arriving = mix(arriving, light_on_ground(world, pixel), fade); }
     let seen = LAWN * (arriving + LAWN_AMBIENT * light.ambient_above.rgb);
     let haze = 1.0 - exp(-away / max(HAZE * frame.foot.w, LEAST_HAZE));
     return mix(seen, frame.backdrop_edge.rgb, haze);
@@ -100,7 +88,7 @@ fn fragment(corner: Corner) -> @location(0) vec4<f32> {
         return vec4(lawn(world, fade, away, corner.clip.xy), 1.0);
     }
     if fade <= 0.0 { return vec4(paper, 1.0); }
-    let light_there = light_on_ground(world, corner.clip.xy);
-    let shade = mix(vec3(1.0), light_there.here / light_there.open, 0.8 * fade);
+    let arriving = light_on_ground(world, corner.clip.xy) / light_on_open_ground();
+    let shade = mix(vec3(1.0), arriving, 0.8 * fade);
     return vec4(paper * shade, 1.0);
 }

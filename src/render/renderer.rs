@@ -1,6 +1,6 @@
 //! The renderer: owns the GPU and draws models and drawings into pictures.
 
-use super::camera::Framing;
+use super::camera::{Axes, Camera, Framing};
 use super::frame::FrameUniform;
 use super::gpu::Gpu;
 use super::ground::GroundRenderer;
@@ -27,6 +27,13 @@ pub struct PictureOptions {
     pub height: u32,
     /// What the plant stands on.
     pub background: Background,
+}
+
+impl PictureOptions {
+    /// Width over height.
+    fn aspect(&self) -> f32 {
+        self.width.max(1) as f32 / self.height.max(1) as f32
+    }
 }
 
 impl Default for PictureOptions {
@@ -182,16 +189,10 @@ impl Renderer {
         model: &'a ModelDrawData,
         views: &'a [View],
         options: &PictureOptions,
-    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + use<'a> {
-        let options = *options;
-        let lamps = LightParams::default();
-        let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
-        let framing = Framing::new(&model.points, model.bounds, views, aspect);
-        views.iter().map(move |view| {
-            let frame = FrameUniform::new(&framing.camera(view), model.bounds, options.background);
-            let light = LightUniform::new(model.bounds, &view.level_axes(), &lamps, SUN_MAP_SIZE);
-            self.draw_model(model, &frame, &light, &options)
-        })
+    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
+        let framing = Framing::new(&model.points, model.bounds, views, options.aspect());
+        let seen = views.iter().map(move |view| (framing.camera(view), view.level_axes()));
+        self.shots(model, seen, *options)
     }
 
     /// A picture by each of these cameras: the frames of a walk.
@@ -203,14 +204,23 @@ impl Renderer {
         model: &'a ModelDrawData,
         cameras: &'a [OrbitCamera],
         options: &PictureOptions,
-    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + use<'a> {
-        let options = *options;
-        let lamps = LightParams::default();
-        let aspect = options.width.max(1) as f32 / options.height.max(1) as f32;
-        cameras.iter().map(move |camera| {
-            let frame =
-                FrameUniform::new(&camera.camera(model.bounds, aspect), model.bounds, options.background);
-            let light = LightUniform::new(model.bounds, &camera.level_axes(), &lamps, SUN_MAP_SIZE);
+    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
+        let aspect = options.aspect();
+        let seen =
+            cameras.iter().map(move |camera| (camera.camera(model.bounds, aspect), camera.level_axes()));
+        self.shots(model, seen, *options)
+    }
+
+    /// A picture by each camera, with lamps that stand in these axes.
+    fn shots<'a>(
+        &'a mut self,
+        model: &'a ModelDrawData,
+        seen: impl Iterator<Item = (Camera, Axes)> + 'a,
+        options: PictureOptions,
+    ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
+        seen.map(move |(camera, axes)| {
+            let frame = FrameUniform::new(&camera, model.bounds, options.background);
+            let light = LightUniform::new(model.bounds, &axes, &LightParams::default(), SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })
     }
