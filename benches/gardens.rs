@@ -11,7 +11,7 @@ use penstemon::garden::ground::Ground;
 use penstemon::garden::{Area, Garden, Kind, Plan, Stock, TileSet, Variation};
 use penstemon::pipeline::{self, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
-use penstemon::sketch::{self, GardenPoint, GardenStroke, GardenTool, Sketch};
+use penstemon::sketch::{self, GardenPlant, GardenPoint, GardenStroke, GardenTool, Sketch};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;
 use std::hint::black_box;
@@ -105,7 +105,8 @@ fn painted(c: &mut Criterion) {
     let with = |samples: u32| {
         let point = |k: u32| GardenPoint { at: Vec2::new(-3.0 + 0.02 * k as f32, 4.8), pressure: 0.5 };
         let points = (0..=samples).map(point).collect();
-        let bed = GardenStroke { tool: GardenTool::Plants(None), radius: 0.3, density: 1.0, points };
+        let bed =
+            GardenStroke { tool: GardenTool::Plants(GardenPlant::Drawn), radius: 0.3, density: 1.0, points };
         Sketch { garden: sketch.garden.iter().cloned().chain([Arc::new(bed)]).collect(), ..sketch.clone() }
     };
     let mut cache = pipeline::Cache::default();

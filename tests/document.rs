@@ -10,9 +10,9 @@ use penstemon::sketch::journal::{JournalState, Meta, Recovery};
 use penstemon::sketch::save::{FileStamp, SaveError, open, save};
 use penstemon::sketch::settings::Settings;
 use penstemon::sketch::{
-    Brush, Canvas, Change, GardenPoint, GardenStroke, GardenTool, Maker, Picture, PlacedPlant, Reference,
-    SeedOf, Sketch, Step, Stroke, StrokeChange, StrokePoint, TextureChoice, Textures, Tool,
-    editable_from_bytes, from_bytes, json, svg, textures,
+    Brush, Canvas, Change, GardenDrawing, GardenPlant, GardenPoint, GardenStroke, GardenTool, Maker, Picture,
+    PlacedPlant, Reference, SeedOf, Sketch, Step, Stroke, StrokeChange, StrokePoint, TextureChoice, Textures,
+    Tool, editable_from_bytes, from_bytes, json, svg, textures,
 };
 use proptest::prelude::*;
 use serde_json::Map;
@@ -66,8 +66,14 @@ fn change() -> impl Strategy<Value = Change> {
         PlacedPlant { maker, foot: vec2(age, 0.0), height: None }
     };
     let tap = |x: f32| {
+        let of = |name| GardenDrawing::new(name, Sketch { seed: x as u64, ..Sketch::empty() }).unwrap();
+        let plant = match x as u32 % 3 {
+            0 => GardenPlant::Drawn,
+            1 => GardenPlant::Species { name: "oak".to_owned(), age: Some(x) },
+            _ => GardenPlant::Drawing(of(&x.to_string())),
+        };
         let points = vec![GardenPoint { at: vec2(x, -x), pressure: 0.5 }];
-        Arc::new(GardenStroke { tool: GardenTool::Plants(None), radius: 0.5, density: 1.0, points })
+        Arc::new(GardenStroke { tool: GardenTool::Plants(plant), radius: 0.5, density: 1.0, points })
     };
     let params = |value: f64| Map::from_iter([("depth.spread".to_owned(), value.into())]);
     prop_oneof![

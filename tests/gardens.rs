@@ -8,7 +8,7 @@ use penstemon::garden::{Garden, GardenSpec, Stock, TileSet, surface};
 use penstemon::input::Sources;
 use penstemon::pipeline::{self, Built, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
-use penstemon::sketch::{self, GardenTool, Sketch};
+use penstemon::sketch::{self, GardenPlant, GardenTool, Sketch};
 use penstemon::species::Species;
 use std::borrow::Cow;
 use std::path::Path;
@@ -140,8 +140,10 @@ fn a_painted_garden_has_what_was_painted_on_any_number_of_threads() {
 #[test]
 fn a_painted_garden_leaves_with_its_plant() {
     let few = |sketch: &mut Sketch| {
-        let bed =
-            sketch.garden.iter().filter(|stroke| stroke.tool != GardenTool::Plants(Some("lavender".into())));
+        let bed = sketch
+            .garden
+            .iter()
+            .filter(|stroke| stroke.tool != GardenTool::Plants(GardenPlant::species("lavender")));
         sketch.garden = bed.cloned().collect();
         sketch.params.insert("garden.triangles".into(), 4000.into());
     };

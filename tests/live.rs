@@ -8,11 +8,12 @@ use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{GrownId, OrganKind, Origin, Shape, Texture};
+use penstemon::sketch::garden_drawing::for_garden;
 use penstemon::sketch::part_poses::posed;
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::{
-    self, Brush, GardenPoint, GardenStroke, GardenTool, Maker, PartName, PartPose, PetalShape, PlacedPlant,
-    SeedOf, Sketch, Stroke, Tool,
+    self, Brush, GardenPlant, GardenPoint, GardenStroke, GardenStrokes, GardenTool, Maker, PartName,
+    PartPose, PetalShape, PlacedPlant, SeedOf, Sketch, Stroke, Tool,
 };
 use penstemon::species::Species;
 use proptest::prelude::*;
@@ -110,12 +111,16 @@ fn edit_plants(plants: &mut Vec<PlacedPlant>, (what, which, by): (u8, usize, f32
 
 /// Paints on the ground around the plant, or takes back what was painted first.
 fn edit_garden(sketch: &mut Sketch, (which, by): (usize, f32)) {
-    let tool = match which % 6 {
+    let tool = match which % 7 {
         0 => GardenTool::Path,
         1 => GardenTool::Clear,
-        2 => GardenTool::Plants(Some("daisy".into())),
-        3 => GardenTool::Plants(Some("no such plant".into())),
-        _ => GardenTool::Plants(None),
+        2 => GardenTool::Plants(GardenPlant::species("daisy")),
+        3 => GardenTool::Plants(GardenPlant::species("no such plant")),
+        4 => {
+            let alone = Sketch { garden: GardenStrokes::default(), ..sketch.clone() };
+            GardenTool::Plants(GardenPlant::Drawing(for_garden(&sketch.garden, "other", &alone).unwrap()))
+        }
+        _ => GardenTool::Plants(GardenPlant::Drawn),
     };
     let point = |x: f32, y: f32| GardenPoint { at: Vec2::new(x, y), pressure: 0.5 };
     let points = vec![point(by / 20.0, 0.4), point(by / 20.0, by / 30.0)];

@@ -70,6 +70,8 @@ pub enum PathPurpose {
     OpenDrawing,
     /// Save the drawing.
     SaveDrawing,
+    /// Plant the plant of a drawing in the garden.
+    GardenDrawing,
     /// Export the plant or the drawing.
     Export,
     /// A texture; `None` means branches.
@@ -86,7 +88,7 @@ impl PathPurpose {
     /// Under what the folder is remembered in which such files were chosen last.
     pub fn shelf(self) -> &'static str {
         match self {
-            Self::OpenDrawing | Self::SaveDrawing => "drawings",
+            Self::OpenDrawing | Self::SaveDrawing | Self::GardenDrawing => "drawings",
             Self::Export => "exports",
             Self::Texture(_) | Self::Photograph(_) | Self::Reference => "pictures",
             Self::Species => "species",

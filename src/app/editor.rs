@@ -40,6 +40,7 @@ mod exporting;
 mod files;
 mod find_plant;
 mod garden;
+mod garden_drawings;
 mod garden_marks;
 mod garden_tool;
 mod interface;

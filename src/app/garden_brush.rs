@@ -1,6 +1,6 @@
 //! The brush that paints a garden on the ground, as the artist sets it.
 
-use crate::sketch::GardenTool;
+use crate::sketch::{GardenPlant, GardenTool};
 
 /// What the brush paints.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -12,6 +12,8 @@ pub enum GardenBrushKind {
     Path,
     /// Nothing: it clears.
     Clear,
+    /// Nothing: it takes away whole strokes.
+    Erase,
 }
 
 /// How it is set.
@@ -19,8 +21,8 @@ pub enum GardenBrushKind {
 pub struct GardenBrush {
     /// What it paints.
     pub kind: GardenBrushKind,
-    /// Species of the plants; none for copies of the drawn one.
-    pub species: Option<String>,
+    /// What it plants.
+    pub plant: GardenPlant,
     /// How far it reaches to either side, metres.
     pub radius: f32,
     /// How densely plants stand where the pen is pressed as usual.
@@ -31,18 +33,20 @@ impl GardenBrush {
     /// Smallest and largest radius on the slider, metres.
     pub const RADII: (f32, f32) = (0.05, 10.0);
 
-    /// What a stroke with it does.
-    pub fn tool(&self) -> GardenTool {
-        match self.kind {
-            GardenBrushKind::Plants => GardenTool::Plants(self.species.clone()),
+    /// What a stroke with it does; none where it draws none.
+    pub fn tool(&self) -> Option<GardenTool> {
+        let tool = match self.kind {
+            GardenBrushKind::Plants => GardenTool::Plants(self.plant.clone()),
             GardenBrushKind::Path => GardenTool::Path,
             GardenBrushKind::Clear => GardenTool::Clear,
-        }
+            GardenBrushKind::Erase => return None,
+        };
+        Some(tool)
     }
 }
 
 impl Default for GardenBrush {
     fn default() -> Self {
-        Self { kind: GardenBrushKind::Plants, species: None, radius: 0.4, density: 1.0 }
+        Self { kind: GardenBrushKind::Plants, plant: GardenPlant::Drawn, radius: 0.4, density: 1.0 }
     }
 }

@@ -24,7 +24,7 @@ use crate::geom::region::Region;
 use crate::model::Mesh;
 use crate::plant::Material;
 use crate::random::{Choice, mix};
-use crate::sketch::{GardenPoint, GardenStroke, GardenTool, StrokePoint};
+use crate::sketch::{GardenPlant, GardenPoint, GardenStroke, GardenTool, StrokePoint};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::TAU;
@@ -76,8 +76,8 @@ static TILES: LazyLock<TileSet> = LazyLock::new(|| TileSet::new(3, 1));
 /// What grows in a bed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PaintedKind {
-    /// The species; none for copies of the drawn plant.
-    pub species: Option<String>,
+    /// What grows there.
+    pub plant: GardenPlant,
     /// How wide a plant is, metres.
     pub width: f32,
     /// How many individuals there are.
@@ -88,16 +88,22 @@ pub struct PaintedKind {
 pub type Placed = (Vec2, f32);
 
 /// The kinds that strokes plant, in the order in which they came.
-pub fn kinds(strokes: &[Arc<GardenStroke>]) -> Vec<Option<&str>> {
+pub fn kinds(strokes: &[Arc<GardenStroke>]) -> Vec<&GardenPlant> {
     let mut kinds = Vec::new();
     for stroke in strokes {
-        if let GardenTool::Plants(species) = &stroke.tool
-            && !kinds.contains(&species.as_deref())
+        if let GardenTool::Plants(plant) = &stroke.tool
+            && !kinds.contains(&plant)
         {
-            kinds.push(species.as_deref());
+            kinds.push(plant);
         }
     }
     kinds
+}
+
+/// The stroke that is seen at a point of the ground: the last one there, unless a later one cleared it.
+pub fn stroke_at(strokes: &[Arc<GardenStroke>], p: Vec2) -> Option<usize> {
+    let last = strokes.iter().rposition(|stroke| Bed::new(stroke).outside(p) <= 0.0)?;
+    (strokes[last].tool != GardenTool::Clear).then_some(last)
 }
 
 /// The places of all plants, and whether there are as many as were painted: a garden has no more than it may.
@@ -145,7 +151,13 @@ impl PaintedKind {
 
     /// What this kind leaves to chance.
     fn key(&self, seed: u64) -> u64 {
-        mix(Choice::LAYER.key(seed), u64::from(fnv1a(self.species.as_deref().unwrap_or_default())))
+        let name = match &self.plant {
+            GardenPlant::Drawn => String::new(),
+            GardenPlant::Species { name, age: None } => name.clone(),
+            GardenPlant::Species { name, age: Some(age) } => format!("{name} {age}"),
+            GardenPlant::Drawing(drawing) => format!("drawing {}", drawing.name()),
+        };
+        mix(Choice::LAYER.key(seed), u64::from(fnv1a(&name)))
     }
 }
 
@@ -201,8 +213,8 @@ impl<'a> Bed<'a> {
         self.arcs.last().is_none_or(|length| *length <= TAP * self.stroke.radius)
     }
 
-    fn plants(&self, species: Option<&str>) -> bool {
-        matches!(&self.stroke.tool, GardenTool::Plants(known) if known.as_deref() == species)
+    fn plants(&self, plant: &GardenPlant) -> bool {
+        matches!(&self.stroke.tool, GardenTool::Plants(known) if known == plant)
     }
 }
 
@@ -272,9 +284,8 @@ struct Layout<'a> {
 impl Layout<'_> {
     /// The plants that were tapped, as far as they were not cleared.
     fn single_plants(&self, number: u32, kind: &PaintedKind) -> Vec<Place> {
-        let species = kind.species.as_deref();
         let strokes = self.beds.strokes.iter().enumerate();
-        let taps = strokes.filter(|(_, bed)| bed.plants(species) && bed.is_tap());
+        let taps = strokes.filter(|(_, bed)| bed.plants(&kind.plant) && bed.is_tap());
         let place = |(order, bed): (usize, &Bed<'_>)| {
             let at = bed.line[0];
             let clears = |bed: &Bed<'_>| bed.stroke.tool == GardenTool::Clear && bed.outside(at) < 0.0;
@@ -287,8 +298,7 @@ impl Layout<'_> {
 
     /// The plants of a kind's beds, each with the distance that it keeps; and whether all of the beds were looked through.
     fn bed_plants(&self, number: u32, kind: &PaintedKind, occupied: &Occupied) -> (Vec<(Place, f32)>, bool) {
-        let species = kind.species.as_deref();
-        let mut own = self.beds.strokes.iter().filter(|bed| bed.plants(species) && !bed.is_tap());
+        let mut own = self.beds.strokes.iter().filter(|bed| bed.plants(&kind.plant) && !bed.is_tap());
         let Some(first) = own.next().map(|bed| (bed.low, bed.high)) else { return (Vec::new(), true) };
         let bounds = own.fold(first, |(low, high), bed| (low.min(bed.low), high.max(bed.high)));
         let (mut plants, mut are_all) = (Vec::<(Place, f32)>::new(), true);
@@ -343,12 +353,11 @@ impl Lattice<'_> {
         let ([west, north], [east, south]) = (low.to_array().map(tile), high.to_array().map(tile));
         let all = (north..=south).flat_map(|j| (west..=east).map(move |i| [i, j]));
         let count = (south - north + 1).saturating_mul(east - west + 1);
-        let species = self.kind.species.as_deref();
         let strokes = &self.layout.beds.strokes;
         let has_bed = |tile: &[i64; 2]| {
             let (low, high) = self.bounds(*tile);
             let is_near = |bed: &Bed<'_>| bed.outside(low.midpoint(high)) <= low.distance(high) / 2.0;
-            strokes.iter().any(|bed| bed.plants(species) && bed.meets(low, high) && is_near(bed))
+            strokes.iter().any(|bed| bed.plants(&self.kind.plant) && bed.meets(low, high) && is_near(bed))
         };
         let widest = self.layout.beds.widest_box();
         let mut found: Vec<[i64; 2]> = all.take(widest).filter(has_bed).take(most + 1).collect();
@@ -386,7 +395,7 @@ impl Lattice<'_> {
     fn density(&self, strokes: &[&Bed<'_>], p: Vec2) -> f32 {
         strokes.iter().fold(0.0, |density: f32, bed| match bed.stroke.tool {
             GardenTool::Clear if bed.outside(p) < 0.0 => 0.0,
-            GardenTool::Plants(_) if bed.plants(self.kind.species.as_deref()) && !bed.is_tap() => {
+            GardenTool::Plants(_) if bed.plants(&self.kind.plant) && !bed.is_tap() => {
                 density.max(bed.density(p))
             }
             _ => density,

@@ -8,11 +8,11 @@ fn line(tool: GardenTool, radius: f32, points: &[[f32; 3]]) -> Arc<GardenStroke>
 }
 
 fn roses() -> GardenTool {
-    GardenTool::Plants(Some("rose".to_owned()))
+    GardenTool::Plants(GardenPlant::species("rose"))
 }
 
 fn kind(species: &str, width: f32) -> PaintedKind {
-    PaintedKind { species: Some(species.to_owned()), width, variants: 3 }
+    PaintedKind { plant: GardenPlant::species(species), width, variants: 3 }
 }
 
 fn laid(strokes: &[Arc<GardenStroke>], kinds: &[PaintedKind], placed: &[Placed]) -> Vec<Place> {
@@ -80,9 +80,9 @@ fn a_tap_is_one_plant_in_its_place_and_kinds_keep_apart() {
     assert!(laid(&[tap.clone(), clear.clone()], &[kind("rose", 0.5)], &[]).is_empty());
     assert_eq!(laid(&[clear, tap.clone()], &[kind("rose", 0.5)], &[]), one);
     let daisies =
-        line(GardenTool::Plants(Some("daisy".to_owned())), 1.0, &[[-4.0, 0.0, 0.5], [4.0, 0.0, 0.5]]);
+        line(GardenTool::Plants(GardenPlant::species("daisy")), 1.0, &[[-4.0, 0.0, 0.5], [4.0, 0.0, 0.5]]);
     let strokes = [bed(0.5), daisies, tap];
-    assert_eq!(super::kinds(&strokes), [Some("rose"), Some("daisy")]);
+    assert_eq!(super::kinds(&strokes), [&GardenPlant::species("rose"), &GardenPlant::species("daisy")]);
     let kinds = [kind("rose", 0.5), kind("daisy", 0.2)];
     let mixed = laid(&strokes, &kinds, &[]);
     let (roses, daisies): (Vec<Place>, Vec<Place>) = mixed.iter().partition(|place| place.kind == 0);

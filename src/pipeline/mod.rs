@@ -21,6 +21,7 @@ mod clock;
 mod drawing;
 mod figure_plant;
 mod finish;
+mod garden_plants;
 mod growing;
 mod individuals;
 mod levels;

@@ -1,29 +1,24 @@
 //! The garden around a plant, from the strokes that paint it to all that stands there.
 //!
-//! Its individuals are levels of detail of a few plants of each kind, so that a garden of hundreds of them moves under the pen: a species is
-//! built as if it were alone, the drawn plant is copied as it is. They are kept from one build to the next while they are wanted;
-//! places are found anew, which takes milliseconds (`garden/painted.rs`).
+//! Its individuals are levels of detail of a few plants of each kind (`garden_plants.rs`), so that a garden of hundreds of them moves
+//! under the pen. They are kept from one build to the next while they are wanted; places are found anew, which takes milliseconds
+//! (`garden/painted.rs`).
 //!
-//! Limits: parameters of the drawing are the drawn plant's alone; copies of the drawn plant are all of one individual, of which only the
-//! turn, the lean and the size differ.
+//! Limits: parameters of the drawing, but for the time of the year, are the drawn plant's alone; copies of the drawn plant are all of one
+//! individual, of which only the turn, the lean and the size differ.
 
 use super::clock::Clock;
-use super::finish::{Built, Finish, finish};
-use super::seed::SeedMemory;
-use super::setup::{Params, params_of_species};
-use super::source::Seed;
-use super::{alone, levels};
-use crate::budget::{Budget, GardenBudget};
-use crate::cards;
+use super::finish::Built;
+use super::garden_plants::{Grown, MadeOf, PlantOf, individuals};
+use super::setup::Params;
+use crate::budget::GardenBudget;
 use crate::garden::painted::{self, PaintedKind, Placed};
 use crate::garden::stock::Individual;
 use crate::garden::{Garden, Place, Stock};
-use crate::model::{self, Model};
 use crate::quote;
-use crate::sketch::{GardenStrokes, Remark, Sketch, Textures, Warning};
+use crate::sketch::{GardenPlant, Remark, Sketch, Warning};
 use crate::species::Species;
 use glam::Vec3Swizzles as _;
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Fewest triangles that a plant has in a garden of too many.
@@ -46,22 +41,7 @@ pub struct GardenMemory {
 #[derive(Debug)]
 struct Kept {
     of: MadeOf,
-    models: Vec<(Model, Vec<String>)>,
-}
-
-/// All that decides what the individuals of a kind are like.
-#[derive(Clone, Debug, PartialEq)]
-struct MadeOf {
-    plant: PlantOf,
-    triangles: u32,
-    variants: u32,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum PlantOf {
-    Species(String),
-    /// The drawing without its garden, and with what it is made.
-    Drawn(Arc<(Sketch, Params, Species)>),
+    models: Vec<Grown>,
 }
 
 /// What a garden adds to what was built.
@@ -95,15 +75,15 @@ pub(super) fn lay_out(
         return Some(LaidOut::default());
     }
     let (mut remarks, mut plants) = (Vec::new(), Vec::new());
-    for name in painted::kinds(&sketch.garden) {
-        match name {
-            None if drawn.model.triangle_count() == 0 => remarks.push(Remark::NothingToPlant),
-            None => {
-                let without = Sketch { garden: GardenStrokes::default(), ..sketch.clone() };
-                plants.push(PlantOf::Drawn(Arc::new((without, params.clone(), species.clone()))));
+    for kind in painted::kinds(&sketch.garden) {
+        match kind {
+            GardenPlant::Drawn if drawn.model.triangle_count() == 0 => remarks.push(Remark::NothingToPlant),
+            GardenPlant::Drawn => plants.push(PlantOf::drawn(sketch, (species, params))),
+            GardenPlant::Drawing(drawing) => plants.push(PlantOf::Drawing(drawing.clone())),
+            GardenPlant::Species { name, age } if makes_itself(name) => {
+                plants.push(PlantOf::Species(name.clone(), *age));
             }
-            Some(name) if makes_itself(name) => plants.push(PlantOf::Species(name.to_owned())),
-            Some(name) => remarks.push(Remark::NoSuchPlantInGarden {
+            GardenPlant::Species { name, .. } => remarks.push(Remark::NoSuchPlantInGarden {
                 species: quote::name(name),
                 known: Species::by_themselves().join(", "),
             }),
@@ -115,6 +95,12 @@ pub(super) fn lay_out(
     let ground = clock.time("ground", || painted::ground(&sketch.garden, (&placed, &params.garden)));
     let garden = Some(Garden { stock, places, ground });
     Some(LaidOut { garden, remarks, stages: clock.take() })
+}
+
+/// The time of the year that a drawing says.
+fn season(sketch: &Sketch) -> Option<f32> {
+    let time = sketch.params.get("season")?.get("time")?;
+    Some(time.as_f64()? as f32)
 }
 
 fn makes_itself(species: &str) -> bool {
@@ -173,7 +159,9 @@ impl Laying<'_> {
 
     /// What the kinds are made of with so many triangles each.
     fn made_of(&self, triangles: &[u32]) -> Vec<MadeOf> {
+        let season = season(self.sketch);
         let of = |(plant, triangles): (&PlantOf, &u32)| MadeOf {
+            season,
             variants: if matches!(plant, PlantOf::Drawn(_)) { 1 } else { self.params.garden.variants },
             plant: plant.clone(),
             triangles: *triangles,
@@ -184,10 +172,7 @@ impl Laying<'_> {
     /// Where plants stand that are as wide as these individuals.
     fn places(&self, stock: &Stock) -> (Vec<Place>, bool) {
         let kinds = self.plants.iter().zip(&stock.kinds).map(|(plant, kind)| PaintedKind {
-            species: match plant {
-                PlantOf::Species(name) => Some(name.clone()),
-                PlantOf::Drawn(_) => None,
-            },
+            plant: plant.planted(),
             width: kind.width(),
             variants: kind.individuals.len() as u32,
         });
@@ -211,27 +196,17 @@ impl Laying<'_> {
             if stop() {
                 return None;
             }
-            let name = match &of.plant {
-                PlantOf::Species(name) => name,
-                PlantOf::Drawn(_) => "drawn",
-            };
-            stock.add(name, self.individuals(memory, of), 0.0);
+            stock.add(of.plant.name(), self.individuals(memory, of), 0.0);
         }
         memory.stocks.push((made_of.to_vec(), stock.clone()));
         Some(stock)
     }
 
-    fn individuals(&self, memory: &mut GardenMemory, of: &MadeOf) -> Vec<(Model, Vec<String>)> {
+    fn individuals(&self, memory: &mut GardenMemory, of: &MadeOf) -> Vec<Grown> {
         if let Some(known) = memory.individuals.iter().find(|kept| kept.of == *of) {
             return known.models.clone();
         }
-        let models = match &of.plant {
-            PlantOf::Drawn(_) => {
-                let Built { plant, model, .. } = self.drawn;
-                vec![(levels::for_garden(plant, model, self.params, of.triangles), Vec::new())]
-            }
-            PlantOf::Species(name) => grown(name, of.variants, of.triangles),
-        };
+        let models = individuals(of, self.drawn);
         memory.individuals.push(Kept { of: of.clone(), models: models.clone() });
         models
     }
@@ -259,28 +234,6 @@ fn fitting(stock: &Stock, places: &[Place]) -> usize {
 fn triangles_of(stock: &Stock, place: &Place) -> usize {
     let individual = stock.kinds[place.kind as usize].individuals.get(place.variant as usize);
     individual.map_or(0, Individual::triangle_count)
-}
-
-/// Individuals of a species that makes itself, with the seeds from 1 on.
-fn grown(name: &str, variants: u32, triangles: u32) -> Vec<(Model, Vec<String>)> {
-    let Ok(species) = Species::built_in(name) else { return Vec::new() };
-    let Ok(params) = params_of_species(&species, &[]) else { return Vec::new() };
-    let individual = |number: u32| {
-        let built = grown_alone(&species, &params, u64::from(number))?;
-        let remarks = built.remarks.iter().map(ToString::to_string).collect();
-        Some((levels::for_garden(&built.plant, &built.model, &params, triangles), remarks))
-    };
-    (1..=variants).into_par_iter().filter_map(individual).collect()
-}
-
-/// A plant of a seed as if it were alone.
-fn grown_alone(species: &Species, params: &Params, number: u64) -> Option<Built> {
-    let (with, clock, never) = ((species, params), &mut Clock::default(), &|| false);
-    let seed = Seed { number, ..Seed::default() };
-    let produced = alone::produce(&mut SeedMemory::default(), &seed, with, clock, never)?;
-    let (model, cards) = (&mut model::Cache::for_one_build(), &mut cards::Cache::for_one_build());
-    let how = Finish { seed: number, pictures: &Textures::default(), budget: Budget::PLANT, placing: None };
-    finish((model, cards), produced, with, &how, clock, never)
 }
 
 #[cfg(test)]

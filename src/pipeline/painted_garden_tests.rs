@@ -2,7 +2,7 @@
 
 use super::super::{Cache, build, build_with, params_of};
 use super::*;
-use crate::sketch::{GardenPoint, GardenStroke, GardenTool, Stroke, StrokePoint, Tool};
+use crate::sketch::{GardenDrawing, GardenPoint, GardenStroke, GardenTool, Stroke, StrokePoint, Tool};
 use glam::Vec2;
 
 fn stroke(tool: GardenTool, from: [f32; 2], to: [f32; 2]) -> Arc<GardenStroke> {
@@ -11,7 +11,7 @@ fn stroke(tool: GardenTool, from: [f32; 2], to: [f32; 2]) -> Arc<GardenStroke> {
 }
 
 fn plants(species: Option<&str>) -> GardenTool {
-    GardenTool::Plants(species.map(str::to_owned))
+    GardenTool::Plants(species.map_or(GardenPlant::Drawn, GardenPlant::species))
 }
 
 /// A stem and a leaf, and a garden around them.
@@ -54,6 +54,40 @@ fn beds_stand_around_the_drawn_plant_which_is_as_it_was() {
     assert_eq!(all.check_invariants(), Ok(()));
     assert_eq!(all.triangle_count(), bare.model.triangle_count() + garden.triangle_count());
     assert!(bare.garden.is_none());
+}
+
+#[test]
+fn another_drawing_and_a_species_of_an_age_stand_in_the_garden_as_they_stand_alone() {
+    let species = Species::built_in("balloon_flower").unwrap();
+    let other = Sketch { species: Some("daisy".into()), ..drawn(Vec::new()) };
+    let shrub = GardenDrawing::new("shrub", other.clone()).unwrap();
+    let aged = |age| GardenTool::Plants(GardenPlant::Species { name: "oak".into(), age });
+    let garden = vec![
+        stroke(GardenTool::Plants(GardenPlant::Drawing(shrub)), [-1.0, 1.0], [1.0, 1.0]),
+        stroke(aged(Some(3.0)), [-4.0, -4.0], [-4.0, -4.0]),
+        stroke(aged(None), [9.0, -9.0], [9.0, -9.0]),
+    ];
+    let mut sketch = drawn(garden);
+    let height = |sketch: &Sketch, kind: usize| {
+        let garden = build(sketch, &species, &params(sketch, &species)).garden.unwrap();
+        garden.stock.kinds[kind].individuals[0].height()
+    };
+    let garden = build(&sketch, &species, &params(&sketch, &species)).garden.unwrap();
+    let counts = garden.plants_of_each_kind();
+    assert!(counts[0] > 2 && counts[1..] == [1, 1], "{counts:?}");
+    assert_eq!(garden.stock.kinds[0].name, "shrub");
+    let daisy = Species::built_in("daisy").unwrap();
+    let alone = build(&other, &daisy, &params(&other, &daisy));
+    assert_eq!(height(&sketch, 0), alone.model.bounds().unwrap().1.y, "as its own species has it");
+    assert!(height(&sketch, 1) < 0.7 * height(&sketch, 2), "three years are not many");
+    // The time of the year is that of all.
+    let triangles = |sketch: &Sketch| {
+        let garden = build(sketch, &species, &params(sketch, &species)).garden.unwrap();
+        garden.stock.kinds[2].individuals[0].triangle_count()
+    };
+    let summer = triangles(&sketch);
+    sketch.params.insert("season".into(), serde_json::json!({"time": 5.0}));
+    assert_ne!(triangles(&sketch), summer, "the oak is bare");
 }
 
 #[test]

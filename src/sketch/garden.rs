@@ -3,9 +3,10 @@
 //! A garden is a plan seen from above, in metres: x to the right, y toward the viewer, the foot of the drawn plant at the origin, whatever
 //! size the drawing has on its sheet. Later strokes lie over earlier ones.
 //!
-//! Limits: the ground is level; plants of a bed are the drawn one or of built-in species that make themselves.
+//! Limits: the ground is level; plants of a bed are the drawn one, of built-in species that make themselves, or of other drawings.
 
 use super::brush::DENSITIES;
+use super::garden_drawing::{self, GardenDrawing};
 use super::limits;
 use crate::quote;
 use glam::Vec2;
@@ -15,11 +16,34 @@ use std::sync::Arc;
 /// Radii that strokes may have, metres.
 pub const RADII: RangeInclusive<f32> = 0.01..=500.0;
 
+/// What grows in a bed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GardenPlant {
+    /// Copies of the drawn plant.
+    Drawn,
+    /// A built-in species that makes itself.
+    Species {
+        /// Its name.
+        name: String,
+        /// Age in years where it grows, from 0 to [`limits::MAX_PLANT_AGE`]; none for the species' own.
+        age: Option<f32>,
+    },
+    /// Plants of another drawing.
+    Drawing(GardenDrawing),
+}
+
+impl GardenPlant {
+    /// Plants of a species in their usual age.
+    pub fn species(name: &str) -> Self {
+        Self::Species { name: name.to_owned(), age: None }
+    }
+}
+
 /// What a stroke does to the ground.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum GardenTool {
-    /// Plants grow there: of the species, or without one copies of the drawn plant.
-    Plants(Option<String>),
+    /// Plants grow there.
+    Plants(GardenPlant),
     /// A path leads there.
     Path,
     /// Neither plants nor paths of earlier strokes stay there.
@@ -70,6 +94,12 @@ pub(super) fn check(strokes: &[Arc<GardenStroke>]) -> Result<(), String> {
     if strokes.len() > limits::MAX_GARDEN_STROKES {
         return Err(format!("a garden holds at most {} strokes", limits::MAX_GARDEN_STROKES));
     }
+    let drawings = garden_drawing::named(strokes).map_err(|name| {
+        format!("two of its drawings are called `{}`; give each its own name", quote::name(name))
+    })?;
+    if drawings.len() > limits::MAX_GARDEN_DRAWINGS {
+        return Err(format!("a garden holds at most {} other drawings", limits::MAX_GARDEN_DRAWINGS));
+    }
     if strokes.iter().map(|stroke| stroke.points.len()).sum::<usize>() > limits::MAX_GARDEN_POINTS {
         return Err(format!(
             "the strokes of a garden have at most {} samples together",
@@ -82,13 +112,15 @@ pub(super) fn check(strokes: &[Arc<GardenStroke>]) -> Result<(), String> {
 }
 
 fn check_one(GardenStroke { tool, radius, density, points }: &GardenStroke) -> Result<(), String> {
-    if let GardenTool::Plants(Some(species)) = tool
-        && (species.is_empty() || species.len() > limits::MAX_SPECIES_NAME_BYTES)
-    {
-        return Err(format!(
-            "`{}` cannot name a species; write one of the built-in ones",
-            quote::name(species)
-        ));
+    if let GardenTool::Plants(GardenPlant::Species { name, age }) = tool {
+        if name.is_empty() || name.len() > limits::MAX_SPECIES_NAME_BYTES {
+            let name = quote::name(name);
+            return Err(format!("`{name}` cannot name a species; write one of the built-in ones"));
+        }
+        if age.is_some_and(|age| !(0.0..=limits::MAX_PLANT_AGE).contains(&age)) {
+            let oldest = limits::MAX_PLANT_AGE;
+            return Err(format!("the `age` must be 0 to {oldest} years; leave it out for the usual"));
+        }
     }
     // What is no number lies in no range.
     for (name, value, range) in [("radius", *radius, RADII), ("density", *density, DENSITIES)] {
@@ -128,7 +160,11 @@ mod tests {
         let refused = |bad: GardenStroke| check(&[Arc::new(good.clone()), Arc::new(bad)]).unwrap_err();
         assert_eq!(check(&[Arc::new(good.clone())]), Ok(()));
         for (bad, part) in [
-            (stroke(GardenTool::Plants(Some(String::new()))), "species"),
+            (stroke(GardenTool::Plants(GardenPlant::species(""))), "species"),
+            (
+                stroke(GardenTool::Plants(GardenPlant::Species { name: "oak".into(), age: Some(-1.0) })),
+                "`age`",
+            ),
             (GardenStroke { radius: f32::NAN, ..good.clone() }, "`radius`"),
             (GardenStroke { density: 9.0, ..good.clone() }, "`density`"),
             (GardenStroke { points: Vec::new(), ..good.clone() }, "points"),

@@ -16,13 +16,14 @@
 //!
 //! A point is `[x, y]`, `[x, y, pressure]`, `[x, y, pressure, tilt_x, tilt_y]`, all these and the time, or these and the depth. Only `format`,
 //! `version`, `strokes` and each stroke's `points` are required. Beside what is shown there may be `textures` (an object:
-//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals), `wood_poses` (how branches and organs are turned and moved), `garden` (what is painted on the ground around the plant) and, behind the strokes, a `reference` (the picture under the drawing, in base64) and `pictures` (those
+//! part to texture), `plants` (those that stand beside the drawn one), `corrections` (of how strokes are read together), `petal_shapes` (how the artist moved control points of petals), `wood_poses` (how branches and organs are turned and moved), `garden` (what is painted on the ground around the plant) and, behind the strokes, `garden_drawings` (plants in it that are drawn elsewhere), a `reference` (the picture under the drawing, in base64) and `pictures` (those
 //! that textures name, in base64); all of it is described in `docs/sketches.md`. Unknown fields are errors, so that a typing mistake does not pass unseen. Reading what [`write()`]
 //! wrote gives the same sketch, bit by bit.
 
 mod corrections;
 mod fault;
 mod garden;
+pub(super) mod garden_drawings;
 mod names;
 mod number;
 mod params;
@@ -43,7 +44,7 @@ pub(super) use parse::parse;
 
 pub use write::write;
 
-use super::{Sketch, Stroke, TextureChoice, Tool};
+use super::{GardenPlant, GardenStroke, GardenTool, Sketch, Stroke, TextureChoice, Tool};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -56,11 +57,19 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
 /// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on, and strokes of the leaf and the flower brush.
-/// 11: a garden around the plant.
-pub const VERSION: u32 = 11;
+/// 11: a garden around the plant. 12: ages and other drawings in it.
+pub const VERSION: u32 = 12;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
+    let has_age_or_drawing = |stroke: &Arc<GardenStroke>| match &stroke.tool {
+        GardenTool::Plants(GardenPlant::Species { age, .. }) => age.is_some(),
+        GardenTool::Plants(GardenPlant::Drawing(_)) => true,
+        GardenTool::Plants(GardenPlant::Drawn) | GardenTool::Path | GardenTool::Clear => false,
+    };
+    if sketch.garden.iter().any(has_age_or_drawing) {
+        return 12;
+    }
     if !sketch.garden.is_empty() {
         return 11;
     }

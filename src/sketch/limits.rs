@@ -78,6 +78,9 @@ pub const MAX_GARDEN_STROKES: usize = 4096;
 /// Most samples of all of them together.
 pub const MAX_GARDEN_POINTS: usize = 50_000;
 
+/// Most other drawings that are planted in a garden.
+pub const MAX_GARDEN_DRAWINGS: usize = 64;
+
 /// Farthest that a garden reaches from its drawn plant along each axis, metres.
 pub const MAX_GARDEN_METRES: f32 = 5000.0;
 

@@ -1,8 +1,8 @@
 //! What belongs to a drawing besides its strokes, each setting listed once: as changes ask for it and as steps keep it.
 
 use super::{
-    Canvas, Corrections, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant, Reference, Sketch,
-    Textures, textures,
+    Canvas, Corrections, GardenDrawing, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant,
+    Reference, Sketch, Textures, garden_drawing, textures,
 };
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -64,6 +64,11 @@ settings! {
 }
 
 impl Settings {
+    /// Every drawing that a garden in these settings has plants of. One may come again.
+    pub(super) fn garden_drawings(&self) -> impl Iterator<Item = &GardenDrawing> {
+        self.garden.iter().flat_map(|garden| garden_drawing::drawings(garden))
+    }
+
     /// Every picture in these settings. A picture may come again.
     pub(super) fn pictures(&self) -> impl Iterator<Item = &Picture> {
         let reference = self.reference.iter().flatten().map(|reference| &reference.picture);

@@ -3,9 +3,9 @@
 use super::{read, with_points, with_strokes};
 use glam::{Quat, Vec2, Vec3, vec2};
 use penstemon::sketch::{
-    Brush, Canvas, Correction, GardenPoint, GardenStroke, GardenTool, Maker, PartName, PartPose, PetalShape,
-    Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke, StrokePoint, TextureChoice, Tool,
-    Verdict, from_bytes, json, limits, textures,
+    Brush, Canvas, Correction, GardenDrawing, GardenPlant, GardenPoint, GardenStroke, GardenTool, Maker,
+    PartName, PartPose, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
+    StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
 use serde_json::{Map, Value};
@@ -198,12 +198,23 @@ prop_compose! {
     }
 }
 
+/// A bed of another drawing, which is known by its seed.
+fn planted(seed: u64) -> GardenTool {
+    let points = vec![StrokePoint::at(Vec2::new((seed % 1000) as f32, 1.0)), StrokePoint::at(Vec2::ONE)];
+    let stroke = Arc::new(Stroke { id: 7, tool: Tool::Leaf, points, brush: None });
+    let drawing = Sketch { seed, strokes: vec![stroke], ..Sketch::empty() };
+    GardenTool::Plants(GardenPlant::Drawing(GardenDrawing::new(&seed.to_string(), drawing).unwrap()))
+}
+
 prop_compose! {
     fn garden_stroke()(
         tool in prop_oneof![
             Just(GardenTool::Path),
             Just(GardenTool::Clear),
-            prop::option::of(".{1,12}").prop_map(GardenTool::Plants),
+            Just(GardenTool::Plants(GardenPlant::Drawn)),
+            (".{1,12}", prop::option::of(0.0_f32..=1e4))
+                .prop_map(|(name, age)| GardenTool::Plants(GardenPlant::Species { name, age })),
+            any::<u64>().prop_map(planted),
         ],
         radius in 0.01_f32..500.0,
         density in 0.04_f32..=5.0,

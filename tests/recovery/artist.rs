@@ -2,9 +2,10 @@
 
 use glam::Vec2;
 use penstemon::sketch::document::Document;
+use penstemon::sketch::garden_drawing::for_garden;
 use penstemon::sketch::{
-    Change, GardenPoint, GardenStroke, GardenTool, Picture, Reference, Step, Stroke, StrokeChange,
-    TextureChoice, Textures,
+    Change, GardenPlant, GardenPoint, GardenStroke, GardenTool, Picture, Reference, Sketch, Step, Stroke,
+    StrokeChange, TextureChoice, Textures,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -79,7 +80,16 @@ impl Artist {
             }
             7 => {
                 let at = Vec2::new(self.rng.random_range(-9.0..9.0), 2.5);
-                let tool = GardenTool::Plants((at.x > 0.0).then(|| "rose".to_owned()));
+                let drawn = || Sketch { seed: self.document.sketch().seed, ..Sketch::empty() };
+                let plant = match at.x {
+                    ..-3.0 => GardenPlant::Drawn,
+                    ..3.0 => GardenPlant::species("rose"),
+                    _ => {
+                        let garden = &self.document.sketch().garden;
+                        GardenPlant::Drawing(for_garden(garden, "herb", &drawn()).unwrap())
+                    }
+                };
+                let tool = GardenTool::Plants(plant);
                 let points = vec![GardenPoint { at, pressure: 0.3 }];
                 let bed = Arc::new(GardenStroke { tool, radius: 0.5, density: 1.5, points });
                 let garden = self.document.sketch().garden.iter().cloned().chain([bed]).collect();

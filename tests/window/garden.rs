@@ -3,7 +3,7 @@
 use crate::program::Program;
 use crate::screen::{Pixels, Screen};
 use crate::sketch_saved_by;
-use penstemon::sketch::{GardenTool, Sketch};
+use penstemon::sketch::{GardenPlant, GardenTool, Sketch};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -38,7 +38,7 @@ fn beds_and_single_plants_are_painted_and_each_is_one_step() {
     program.picture(&screen).keep("painted-bed");
     let painted = saved(&screen, &mut program, &file);
     assert_eq!(painted.garden.len(), 1);
-    assert_eq!(painted.garden[0].tool, GardenTool::Plants(None));
+    assert_eq!(painted.garden[0].tool, GardenTool::Plants(GardenPlant::Drawn));
     let (from, to) = (painted.garden[0].points[0].at, painted.garden[0].points.last().unwrap().at);
     assert!(to.x - from.x > 0.3 && (to.y - from.y).abs() < 0.1, "{from} {to}");
 

@@ -5,7 +5,7 @@
 use super::Editor;
 use super::dice::another_seed;
 use crate::app::action::Action;
-use crate::app::panels::snapshot::{BesideState, PlantState};
+use crate::app::panels::snapshot::{AgeState, BesideState, PlantState};
 use crate::sketch::{Change, Maker, PlacedPlant, SeedOf, Sketch, limits};
 use crate::species::Species;
 use glam::{DVec2, Vec2};
@@ -85,9 +85,7 @@ impl Editor {
         let Sketch { plants, canvas, .. } = self.sketch();
         let state = |(place, plant): (usize, &PlacedPlant)| {
             let Maker::Growth(SeedOf { species, age, .. }) = &plant.maker;
-            let own = own_age(species);
-            let age = age.unwrap_or(own);
-            let most_age = (BEYOND * own).max(age).ceil().clamp(LEAST_AGE, limits::MAX_PLANT_AGE);
+            let AgeState { years: age, most: most_age, .. } = age_of(species, *age);
             PlantState { plant: plant.clone(), age, most_age, height: self.height_of_plant(place) }
         };
         BesideState {
@@ -109,10 +107,13 @@ impl Editor {
     }
 }
 
-/// The age at which a species is shown where nobody says otherwise, years.
-fn own_age(species: &str) -> f32 {
+/// The age of a plant of a species, that of its own where none is chosen.
+pub(super) fn age_of(species: &str, chosen: Option<f32>) -> AgeState {
     let habit = Species::built_in(species).ok().and_then(|species| species.growth);
-    habit.unwrap_or_default().age as f32
+    let own = habit.unwrap_or_default().age as f32;
+    let years = chosen.unwrap_or(own);
+    let most = (BEYOND * own).max(years).ceil().clamp(LEAST_AGE, limits::MAX_PLANT_AGE);
+    AgeState { years, own, most }
 }
 
 /// Foot and height of a new plant: as high as the drawing, on its ground, to its right or left where no other stands.

@@ -162,13 +162,13 @@ impl Editor {
         let last = settings.folder(purpose);
         // Drawings stay together; pictures, species and exports may have places of their own.
         let folder = match purpose {
-            PathPurpose::OpenDrawing | PathPurpose::SaveDrawing => own.or(last),
+            PathPurpose::OpenDrawing | PathPurpose::SaveDrawing | PathPurpose::GardenDrawing => own.or(last),
             _ => last.or(own),
         };
         let folder = folder.map(Path::to_owned);
         let export = settings.export.format.extension();
         let extensions: Vec<&'static str> = match purpose {
-            PathPurpose::OpenDrawing => DRAWINGS.to_vec(),
+            PathPurpose::OpenDrawing | PathPurpose::GardenDrawing => DRAWINGS.to_vec(),
             PathPurpose::SaveDrawing => vec!["penstemon"],
             PathPurpose::Export => vec![export],
             PathPurpose::Texture(_) | PathPurpose::Photograph(_) | PathPurpose::Reference => {
@@ -211,6 +211,7 @@ impl Editor {
             }
             PathPurpose::Export => self.begin_export(path),
             PathPurpose::Species => self.change(Change::species(Some(path.to_string_lossy().into_owned()))),
+            PathPurpose::GardenDrawing => self.plant_drawing(&path),
             PathPurpose::Photograph(organ) => self.read_photograph(organ, path),
             PathPurpose::Texture(_) | PathPurpose::Reference => self.read_picture(purpose, path),
         }

@@ -6,14 +6,16 @@
 //! Limits: the ground is level, and near the horizon nothing is painted.
 
 use super::Editor;
+use super::beside::age_of;
 use super::drawing_surface::DrawingSurface;
 use crate::app::action::Action;
 use crate::app::garden_brush::GardenBrush;
 use crate::app::panels::snapshot::GardenState;
-use crate::garden::painted::simplified;
+use crate::garden::painted::{self, simplified};
 use crate::pen::{PenPhase, PenSample, PenTool};
-use crate::sketch::{Change, GardenPoint, GardenStroke, GardenStrokes};
-use glam::{DVec2, Vec3, Vec3Swizzles as _};
+use crate::sketch::{Change, GardenPlant, GardenPoint, GardenStroke, GardenStrokes};
+use crate::species::Species;
+use glam::{DVec2, Vec2, Vec3, Vec3Swizzles as _};
 use std::sync::Arc;
 
 /// Farthest from the eye that is painted, in distances of what is looked at.
@@ -49,8 +51,10 @@ impl Editor {
         }
         // Where nothing is drawn there is nothing to be copied.
         if self.built().is_none_or(|built| built.model.parts.is_empty()) {
-            let species = &mut self.garden.brush.species;
-            *species = species.take().or(Some(AT_FIRST.to_owned()));
+            let plant = &mut self.garden.brush.plant;
+            if *plant == GardenPlant::Drawn {
+                *plant = GardenPlant::species(AT_FIRST);
+            }
         }
         self.garden.is_shown = true;
         let around = self.built().and_then(|built| built.garden.as_ref()?.bounds());
@@ -78,7 +82,14 @@ impl Editor {
     pub(super) fn garden_state(&self) -> GardenState {
         let plants = self.built().and_then(|built| Some(built.garden.as_ref()?.places.len()));
         let (usual_radius, brush) = (self.usual_garden_radius(), self.garden.brush.clone());
-        GardenState { any: self.built().is_some(), on: self.garden.is_on, brush, usual_radius, plants }
+        let age = match &brush.plant {
+            GardenPlant::Species { name, age } if Species::growing().contains(&name.as_str()) => {
+                Some(age_of(name, *age))
+            }
+            _ => None,
+        };
+        let (any, on, drawings) = (self.built().is_some(), self.garden.is_on, self.garden_drawings());
+        GardenState { any, on, brush, usual_radius, age, drawings, plants }
     }
 
     /// The garden as it is drawn now, with what is under the pen.
@@ -100,7 +111,10 @@ impl Editor {
         let Some(point) = self.garden_point(sample, self.pressed(sample)) else { return false };
         self.plant.take_hold();
         let GardenBrush { radius, density, .. } = self.garden.brush;
-        let tool = self.garden.brush.tool();
+        let Some(tool) = self.garden.brush.tool().filter(|_| sample.tool != PenTool::Eraser) else {
+            self.garden.erases = Some(point.at);
+            return true;
+        };
         self.garden.stroke = Some(GardenStroke { tool, radius, density, points: vec![point] });
         self.live.set_stale();
         true
@@ -123,7 +137,7 @@ impl Editor {
                 self.hover_garden(hovers.then_some(sample.position));
             }
             PenPhase::Cancel => {
-                self.garden.stroke = None;
+                self.garden.drop_stroke();
                 self.live.set_stale();
             }
             _ => {}
@@ -132,8 +146,21 @@ impl Editor {
 
     /// The pen is lifted: the stroke counts.
     pub(super) fn end_in_garden(&mut self) {
+        if let Some(at) = self.garden.erases.take() {
+            self.erase_in_garden(at);
+        }
         let Some(stroke) = self.garden.stroke.take() else { return };
         let garden = self.sketch().garden.iter().cloned().chain([finished(&stroke)]).collect();
+        self.change(Change::garden(garden));
+        self.live.set_stale();
+    }
+
+    /// Takes away the stroke that is seen at a place on the ground.
+    fn erase_in_garden(&mut self, at: Vec2) {
+        let garden = &self.sketch().garden;
+        let Some(seen) = painted::stroke_at(garden, at) else { return };
+        let rest = garden.iter().enumerate().filter(|(place, _)| *place != seen);
+        let garden = rest.map(|(_, stroke)| Arc::clone(stroke)).collect();
         self.change(Change::garden(garden));
         self.live.set_stale();
     }
@@ -155,7 +182,7 @@ impl Editor {
 
     /// Notes where the pointer hovers over the plant, physical pixels of the window; none elsewhere.
     pub(super) fn hover_garden(&mut self, at: Option<DVec2>) {
-        self.garden.hovered = at.filter(|_| self.garden.is_on && self.garden.stroke.is_none());
+        self.garden.hovered = at.filter(|_| self.garden.is_on && !self.garden.is_busy());
     }
 }
 

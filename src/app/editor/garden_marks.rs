@@ -4,9 +4,11 @@ use super::Editor;
 use super::beside::to_points;
 use crate::app::garden_brush::GardenBrushKind;
 use crate::app::theme::Palette;
+use crate::garden::painted;
+use crate::sketch::GardenStroke;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Color32, Painter, Pos2, Shape};
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec3Swizzles as _};
 use std::f32::consts::TAU;
 
 /// Corners of the circle under the pointer.
@@ -21,12 +23,28 @@ impl Editor {
         let colour = match brush.kind {
             GardenBrushKind::Plants => palette.accent,
             GardenBrushKind::Path => palette.text,
-            GardenBrushKind::Clear => palette.error,
+            GardenBrushKind::Clear | GardenBrushKind::Erase => palette.error,
         };
+        if brush.kind == GardenBrushKind::Erase {
+            return self.mark_what_goes(painter, colour);
+        }
         if let Some(at) = self.garden.hovered.and_then(|at| self.ground_under(at)) {
             self.ring_on_ground(painter, (at, brush.radius), colour);
         }
         let Some(stroke) = &self.garden.stroke else { return };
+        self.mark_stroke(painter, stroke, colour);
+    }
+
+    /// Paints the stroke under the pointer, which a press would take away.
+    fn mark_what_goes(&self, painter: &Painter, colour: Color32) {
+        let garden = &self.sketch().garden;
+        let at = self.garden.hovered.and_then(|at| self.ground_under(at));
+        if let Some(seen) = at.and_then(|at| painted::stroke_at(garden, at.xz())) {
+            self.mark_stroke(painter, &garden[seen], colour);
+        }
+    }
+
+    fn mark_stroke(&self, painter: &Painter, stroke: &GardenStroke, colour: Color32) {
         let line: Vec<Vec2> = stroke.points.iter().map(|point| point.at).collect();
         painter.add(Shape::mesh(self.band_on_ground(&line, stroke.radius, colour.gamma_multiply(SWEPT))));
         if let Some(last) = line.last() {

@@ -43,11 +43,12 @@ impl Editor {
                 || self.hold_part(at)
                 || self.is_over_selected_plant(at));
         let draws = begins && self.begins_to_draw(&event.sample);
-        let taps_draw = self.garden.stroke.is_some();
+        let taps_draw = self.garden.is_busy();
         let keys = Keys { shift: self.canvas.is_shift_held(), over_carried, draws, taps_draw };
         self.pens.in_plant.event(event, keys, &mut self.plant);
         if draws && !self.pens.in_plant.is_drawing() {
-            (self.space.stroke, self.brush.stroke, self.garden.stroke) = (None, None, None);
+            (self.space.stroke, self.brush.stroke) = (None, None);
+            self.garden.drop_stroke();
         }
         self.carry();
         self.draw_in_space();

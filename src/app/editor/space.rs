@@ -111,7 +111,7 @@ impl Editor {
     /// Follows what the pen drew or painted in the view of the plant since this was asked last.
     pub(super) fn draw_in_space(&mut self) {
         for (phase, sample) in self.plant.take_drawn() {
-            if self.garden.stroke.is_some() {
+            if self.garden.is_busy() {
                 self.paint_garden(phase, &sample);
                 continue;
             }

@@ -68,6 +68,7 @@ fn title(dialog: &Dialog) -> Msg {
         Dialog::Path(request) => match request.purpose {
             PathPurpose::OpenDrawing => Msg::PathOpenTitle,
             PathPurpose::SaveDrawing => Msg::PathSaveTitle,
+            PathPurpose::GardenDrawing => Msg::PathGardenDrawingTitle,
             PathPurpose::Export => Msg::PathExportTitle,
             PathPurpose::Texture(_) => Msg::PathTextureTitle,
             PathPurpose::Photograph(_) => Msg::PathPhotographTitle,

@@ -6,7 +6,7 @@ use super::record::{self, HEADER, Kind};
 use super::session::{Folder, Meta};
 use crate::atomic::WriteError;
 use crate::file_system::{Access, WrittenFile};
-use crate::sketch::{Picture, Sketch, Step, json};
+use crate::sketch::{GardenDrawing, Picture, Sketch, Step, garden_drawing, json};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::io;
@@ -49,6 +49,8 @@ pub(super) struct Journal {
     bytes: u64,
     /// Hashes of the pictures that are in it or in its snapshot.
     pictures: BTreeSet<u64>,
+    /// The same of drawings that the garden has plants of.
+    drawings: BTreeSet<u64>,
     /// When the first step was written that the newest snapshot does not have.
     pub(super) unsnapshotted_since: Option<Instant>,
 }
@@ -65,8 +67,9 @@ impl Journal {
         let create = || {
             let file = folder.files.create_new(&path, &Access::Owner)?;
             let pictures = sketch.pictures().map(Picture::hash).collect();
-            let mut journal =
-                Self { file, path: path.clone(), bytes: 0, pictures, unsnapshotted_since: None };
+            let drawings = garden_drawing::drawings(&sketch.garden).map(GardenDrawing::hash).collect();
+            let path = path.clone();
+            let mut journal = Self { file, path, bytes: 0, pictures, drawings, unsnapshotted_since: None };
             let mut start = HEADER.as_bytes().to_vec();
             append_identity(&mut start, identity)?;
             journal.write(&start)?;
@@ -92,6 +95,13 @@ impl Journal {
             for picture in step.after.pictures() {
                 if self.pictures.insert(picture.hash()) {
                     record::append(&mut records, Kind::Picture, picture.bytes())?;
+                }
+            }
+            for drawing in step.after.garden_drawings() {
+                if self.drawings.insert(drawing.hash()) {
+                    let mut text = String::new();
+                    json::garden_drawings::push(&mut text, [drawing]);
+                    record::append(&mut records, Kind::Drawing, text.as_bytes())?;
                 }
             }
             record::append(&mut records, Kind::Step, json::step::write(step).as_bytes())?;

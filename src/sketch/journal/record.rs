@@ -2,7 +2,7 @@
 //!
 //! A record is its length (u32, little endian), a CRC-32 (IEEE) of what follows, a byte that says what it is, and the
 //! body. Version 1 had steps and pictures only; version 2 adds what the drawing is called, when it was saved, and the sums of
-//! snapshots.
+//! snapshots; version 3 drawings that a garden has plants of.
 //!
 //! Where bytes are no record, reading goes on at the next place that begins a whole one: a length that fits, a known kind,
 //! and the right sum. So a damaged record costs itself and no other. If only its length was damaged it is whole: its sum
@@ -13,13 +13,13 @@
 use std::io;
 
 /// First line of every journal.
-pub(super) const HEADER: &str = "penstemon-journal 2\n";
+pub(super) const HEADER: &str = "penstemon-journal 3\n";
 
 /// The header up to its number.
 const FORMAT: &str = "penstemon-journal ";
 
 /// The newest version that is read, and the one that [`HEADER`] says.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 
 /// Longest header of any version.
 const LONGEST_HEADER: usize = 64;
@@ -38,6 +38,8 @@ pub(super) enum Kind {
     Step,
     /// A picture that steps after it name by its hash.
     Picture,
+    /// Drawings that steps after it name by their hashes, as JSON text.
+    Drawing,
     /// Title and file of the drawing from here on, as JSON text.
     Named,
     /// The same, and that the file holds the drawing as it is here.
@@ -47,12 +49,13 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    const ALL: [Self; 5] = [Self::Step, Self::Picture, Self::Named, Self::Saved, Self::Sum];
+    const ALL: [Self; 6] = [Self::Step, Self::Picture, Self::Drawing, Self::Named, Self::Saved, Self::Sum];
 
     fn byte(self) -> u8 {
         match self {
             Self::Step => b'S',
             Self::Picture => b'P',
+            Self::Drawing => b'D',
             Self::Named => b'N',
             Self::Saved => b'F',
             Self::Sum => b'K',

@@ -10,8 +10,8 @@ use super::record::{self, Header, Kind, Next};
 use super::session::{Folder, GenerationFile, META, Meta};
 use crate::file_system::read_regular;
 use crate::sketch::error::Fault;
-use crate::sketch::json::step::{self, Fit, Pictures};
-use crate::sketch::{Picture, Sketch, editable_from_bytes, limits};
+use crate::sketch::json::step::{self, Fit, Known};
+use crate::sketch::{Picture, Sketch, editable_from_bytes, json, limits};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -108,7 +108,7 @@ impl<'a> Journal<'a> {
         self.items.iter().rev().find_map(|item| match item {
             Next::Record(Kind::Saved, _) => Some(true),
             Next::Record(Kind::Named | Kind::Step, _) | Next::Damaged => Some(false),
-            Next::Record(Kind::Picture | Kind::Sum, _) | Next::Unfinished => None,
+            Next::Record(Kind::Picture | Kind::Drawing | Kind::Sum, _) | Next::Unfinished => None,
         })
     }
 }
@@ -180,7 +180,7 @@ fn read_snapshot(file: &GenerationFile, sum: Option<&Sum>) -> Result<Option<Sket
 /// A drawing on which journals are replayed.
 struct Replay {
     sketch: Sketch,
-    pictures: Pictures,
+    known: Known,
     /// Something before was left out.
     is_off: bool,
     gaps: Vec<Gap>,
@@ -190,8 +190,8 @@ struct Replay {
 
 impl Replay {
     fn of(sketch: Sketch) -> Self {
-        let pictures = sketch.pictures().map(|picture| (picture.hash(), picture.clone())).collect();
-        Self { sketch, pictures, is_off: false, gaps: Vec::new(), damaged: Vec::new() }
+        let known = Known::of(&sketch);
+        Self { sketch, known, is_off: false, gaps: Vec::new(), damaged: Vec::new() }
     }
 
     /// Carries out all journals from a generation on.
@@ -220,8 +220,11 @@ impl Replay {
             let done = match item {
                 Next::Record(Kind::Step, text) => self.step(text),
                 Next::Record(Kind::Picture, bytes) => Picture::new(bytes.to_vec())
-                    .map(|picture| drop(self.pictures.insert(picture.hash(), picture)))
+                    .map(|picture| self.known.add_picture(picture))
                     .map_err(|fault| fault.to_string()),
+                Next::Record(Kind::Drawing, text) => json::garden_drawings::read(text).map(|drawings| {
+                    drawings.into_values().for_each(|drawing| self.known.add_drawing(drawing));
+                }),
                 Next::Record(Kind::Named | Kind::Saved | Kind::Sum, _) => Ok(()),
                 Next::Damaged => Err("its checksum is wrong".to_owned()),
                 // The moment of the crash; what was not finished was not promised either.
@@ -236,10 +239,10 @@ impl Replay {
 
     fn step(&mut self, text: &[u8]) -> Result<(), String> {
         let fit = if self.is_off { Fit::ByName } else { Fit::Exact };
-        let done = step::replay(text, &mut self.sketch, &self.pictures, fit);
+        let done = step::replay(text, &mut self.sketch, &self.known, fit);
         if done.is_err() && fit == Fit::Exact {
             // Perhaps it can be carried out in part; that it does not fit is said all the same.
-            let _ = step::replay(text, &mut self.sketch, &self.pictures, Fit::ByName);
+            let _ = step::replay(text, &mut self.sketch, &self.known, Fit::ByName);
         }
         done
     }

@@ -2,7 +2,8 @@
 
 use super::corrections::CorrectionsSeed;
 use super::fault;
-use super::garden::GardenSeed;
+use super::garden::{GardenSeed, GardenText};
+use super::garden_drawings::GardenDrawingsSeed;
 use super::params::GroupSeed;
 use super::part_poses::PartPosesSeed;
 use super::petal_shapes::PetalShapesSeed;
@@ -17,7 +18,7 @@ use crate::sketch::draft::{Draft, DraftStroke, Flaw};
 use crate::sketch::error::Fault;
 use crate::sketch::textures::{self, ChoiceText};
 use crate::sketch::{
-    Brush, Canvas, Corrections, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant, Reference,
+    Brush, Canvas, Corrections, GardenDrawing, PartPoses, PetalShapes, Picture, PlacedPlant, Reference,
     Textures, Tool, limits,
 };
 use serde::Deserialize;
@@ -57,10 +58,12 @@ enum SketchField {
     #[serde(rename = "wood_poses")]
     PartPoses,
     Garden,
+    GardenDrawings,
     Strokes,
 }
 
-struct SketchSeed<'p>(&'p Progress);
+/// Reads a sketch object.
+pub(super) struct SketchSeed<'p>(pub(super) &'p Progress);
 
 impl<'de> DeserializeSeed<'de> for SketchSeed<'_> {
     type Value = Draft;
@@ -102,7 +105,8 @@ struct Fields {
     corrections: Option<Corrections>,
     petal_shapes: Option<PetalShapes>,
     part_poses: Option<PartPoses>,
-    garden: Option<GardenStrokes>,
+    garden: Option<GardenText>,
+    garden_drawings: Option<BTreeMap<String, GardenDrawing>>,
     strokes: Option<Vec<DraftStroke>>,
 }
 
@@ -159,6 +163,10 @@ impl Fields {
             SketchField::Garden => {
                 set_once(&mut self.garden, map.next_value_seed(GardenSeed(progress))?, "garden")?;
             }
+            SketchField::GardenDrawings => {
+                let drawings = map.next_value_seed(GardenDrawingsSeed(progress))?;
+                set_once(&mut self.garden_drawings, drawings, "garden_drawings")?;
+            }
             SketchField::Pictures => {
                 set_once(&mut self.pictures, map.next_value_seed(PicturesSeed(progress))?, "pictures")?;
             }
@@ -176,8 +184,17 @@ impl Fields {
     fn draft<E: Error>(self, progress: &Progress) -> Result<Draft, E> {
         let Self { format, version, canvas, species, seed, params, textures, .. } = self;
         let Self {
-            reference, pictures, plants, corrections, petal_shapes, part_poses, garden, strokes, ..
+            reference,
+            pictures,
+            plants,
+            corrections,
+            petal_shapes,
+            part_poses,
+            garden,
+            garden_drawings,
+            ..
         } = self;
+        let strokes = self.strokes;
         fault::check_format(format.as_deref()).map_err(|fault| progress.refuse(fault))?;
         if version.is_none() {
             return Err(progress.malformed("the `version` is missing; write \"version\": 1"));
@@ -186,6 +203,9 @@ impl Fields {
             strokes.ok_or_else(|| progress.malformed("the sketch has no `strokes`; add a list of them"))?;
         let textures = with_pictures(textures.unwrap_or_default(), &pictures.unwrap_or_default());
         let textures = textures.map_err(|message| progress.malformed(message))?;
+        let drawings = garden_drawings.unwrap_or_default();
+        let garden = garden.unwrap_or_default().resolved(|name| drawings.get(name).cloned());
+        let garden = garden.map_err(|message| progress.malformed(message))?;
         let canvas = canvas.flatten();
         check_canvas(canvas).map_err(|message| progress.malformed(message))?;
         Ok(Draft {
@@ -199,7 +219,7 @@ impl Fields {
             corrections: corrections.unwrap_or_default(),
             petal_shapes: petal_shapes.unwrap_or_default(),
             part_poses: part_poses.unwrap_or_default(),
-            garden: garden.unwrap_or_default(),
+            garden,
             strokes,
         })
     }

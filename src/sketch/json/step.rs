@@ -7,13 +7,14 @@
 //! What was before is not written: whoever replays has it. Textures and a reference name their pictures by their hash.
 
 use super::corrections::{self, CorrectionList};
-use super::garden::{self, GardenList};
+use super::garden::{self, GardenText};
 use super::parse::StrokeSeed;
 use super::part_poses::{self, PartPoseList};
 use super::petal_shapes::{self, PetalShapeList};
 use super::plants::{self, Plants};
 use super::progress::Progress;
 use super::write::{push_placement, push_stroke};
+use crate::sketch::garden_drawing::{self, GardenDrawing};
 use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
 use crate::sketch::step::{Step, Swap};
@@ -26,8 +27,32 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Pictures by their hash.
-pub(in crate::sketch) type Pictures = BTreeMap<u64, Picture>;
+/// What steps name by its hash.
+#[derive(Default)]
+pub(in crate::sketch) struct Known {
+    /// Pictures.
+    pub(in crate::sketch) pictures: BTreeMap<u64, Picture>,
+    /// Drawings that a garden has plants of.
+    pub(in crate::sketch) drawings: BTreeMap<u64, GardenDrawing>,
+}
+
+impl Known {
+    /// What a sketch has of it.
+    pub(in crate::sketch) fn of(sketch: &Sketch) -> Self {
+        let mut known = Self::default();
+        sketch.pictures().cloned().for_each(|picture| known.add_picture(picture));
+        garden_drawing::drawings(&sketch.garden).cloned().for_each(|drawing| known.add_drawing(drawing));
+        known
+    }
+
+    pub(in crate::sketch) fn add_picture(&mut self, picture: Picture) {
+        self.pictures.insert(picture.hash(), picture);
+    }
+
+    pub(in crate::sketch) fn add_drawing(&mut self, drawing: GardenDrawing) {
+        self.drawings.insert(drawing.hash(), drawing);
+    }
+}
 
 /// The step as text.
 pub(in crate::sketch) fn write(step: &Step) -> String {
@@ -72,7 +97,8 @@ pub(in crate::sketch) fn write(step: &Step) -> String {
     push_list(&mut out, "corrections", corrections.as_deref(), corrections::push);
     push_list(&mut out, "petal_shapes", petal_shapes.as_deref(), petal_shapes::push);
     push_list(&mut out, "wood_poses", part_poses.as_deref(), part_poses::push);
-    push_list(&mut out, "garden", garden.as_deref(), garden::push);
+    let by_hash = |drawing: &GardenDrawing| format!("{:016x}", drawing.hash());
+    push_list(&mut out, "garden", garden.as_deref(), |out, stroke| garden::push(out, stroke, by_hash));
     match reference {
         None => {}
         Some(None) => out.push_str(", \"reference\": null"),
@@ -118,7 +144,7 @@ struct StepText {
     petal_shapes: Option<PetalShapeList>,
     #[serde(rename = "wood_poses")]
     part_poses: Option<PartPoseList>,
-    garden: Option<GardenList>,
+    garden: Option<GardenText>,
     #[serde(default, deserialize_with = "given")]
     reference: Option<Option<ReferenceText>>,
 }
@@ -180,17 +206,19 @@ pub(in crate::sketch) enum Fit {
 pub(in crate::sketch) fn replay(
     text: &[u8],
     sketch: &mut Sketch,
-    pictures: &Pictures,
+    known: &Known,
     fit: Fit,
 ) -> Result<(), String> {
     let text: StepText = serde_json::from_slice(text).map_err(|e| e.to_string())?;
     let reference = match text.reference {
         None => None,
         Some(None) => Some(None),
-        Some(Some(reference)) => Some(Some(Arc::new(found_reference(reference, pictures)?))),
+        Some(Some(reference)) => Some(Some(Arc::new(found_reference(reference, &known.pictures)?))),
     };
-    let by_name = |name: &str| pictures.get(&u64::from_str_radix(name, 16).ok()?).cloned();
-    let textures = text.textures.map(|choices| textures::resolved(choices, by_name)).transpose()?;
+    let picture = |name: &str| known.pictures.get(&u64::from_str_radix(name, 16).ok()?).cloned();
+    let textures = text.textures.map(|choices| textures::resolved(choices, picture)).transpose()?;
+    let drawing = |name: &str| known.drawings.get(&u64::from_str_radix(name, 16).ok()?).cloned();
+    let garden = text.garden.map(|garden| garden.resolved(drawing)).transpose()?;
     let mut done = Step::default();
     for swap in text.strokes {
         let swap = match fit {
@@ -204,9 +232,7 @@ pub(in crate::sketch) fn replay(
             return Err("it changes a stroke that is not there".to_owned());
         }
     }
-    let StepText {
-        canvas, species, seed, params, plants, corrections, petal_shapes, part_poses, garden, ..
-    } = text;
+    let StepText { canvas, species, seed, params, plants, corrections, petal_shapes, part_poses, .. } = text;
     let (plants, corrections) = (plants.map(|plants| plants.0), corrections.map(|list| list.0));
     let (petal_shapes, part_poses) = (petal_shapes.map(|list| list.0), part_poses.map(|list| list.0));
     let settings = Settings {
@@ -220,7 +246,7 @@ pub(in crate::sketch) fn replay(
         corrections,
         petal_shapes,
         part_poses,
-        garden: garden.map(|list| list.0),
+        garden,
     };
     settings.carry_out(sketch);
     Ok(())
@@ -262,7 +288,7 @@ fn carry_out(text: SwapText, strokes: &mut Vec<Arc<Stroke>>) -> Option<Swap> {
     swap.carry_out(strokes).then_some(swap)
 }
 
-fn found_reference(text: ReferenceText, pictures: &Pictures) -> Result<Reference, String> {
+fn found_reference(text: ReferenceText, pictures: &BTreeMap<u64, Picture>) -> Result<Reference, String> {
     let ReferenceText { center, width, rotation_deg, opacity, locked, visible, picture } = text;
     let picture = pictures.get(&picture).cloned().ok_or("the reference picture is missing")?;
     let center = Vec2::from(center);
@@ -308,9 +334,9 @@ mod tests {
         let mut expected = start.clone();
         step.carry_out(&mut expected);
         let mut replayed = start.clone();
-        replay(write(&step).as_bytes(), &mut replayed, &Pictures::new(), Fit::Exact).unwrap();
+        replay(write(&step).as_bytes(), &mut replayed, &Known::default(), Fit::Exact).unwrap();
         assert_eq!(replayed, expected);
-        replay(write(&step.reversed()).as_bytes(), &mut replayed, &Pictures::new(), Fit::Exact).unwrap();
+        replay(write(&step.reversed()).as_bytes(), &mut replayed, &Known::default(), Fit::Exact).unwrap();
         assert_eq!(replayed, start);
     }
 
@@ -328,12 +354,12 @@ mod tests {
         ];
         let step = write(&Step { strokes, ..Step::default() });
         let mut sketch = Sketch { strokes: [1, 3, 4, 5].map(stroke).to_vec(), ..Sketch::empty() };
-        assert!(replay(step.as_bytes(), &mut sketch.clone(), &Pictures::new(), Fit::Exact).is_err());
-        replay(step.as_bytes(), &mut sketch, &Pictures::new(), Fit::ByName).unwrap();
+        assert!(replay(step.as_bytes(), &mut sketch.clone(), &Known::default(), Fit::Exact).is_err());
+        replay(step.as_bytes(), &mut sketch, &Known::default(), Fit::ByName).unwrap();
         assert_eq!(names(&sketch), [1, 2, 4, 5, 9]);
         // Of what has no name nobody knows what it was.
         let nameless = br#"{"strokes": [{"at": 0, "remove": true}], "seed": 5}"#;
-        replay(nameless, &mut sketch, &Pictures::new(), Fit::ByName).unwrap();
+        replay(nameless, &mut sketch, &Known::default(), Fit::ByName).unwrap();
         assert_eq!((names(&sketch), sketch.seed), (vec![1, 2, 4, 5, 9], 5));
     }
 
@@ -355,7 +381,7 @@ mod tests {
             r#"{"reference": {"center": [0, 0], "width": 1, "rotation_deg": 0, "opacity": 1, "locked": true, "visible": true, "picture": 3}}"#.to_owned(),
         ] {
             let mut sketch = start.clone();
-            assert!(replay(bad.as_bytes(), &mut sketch, &Pictures::new(), Fit::Exact).is_err(), "{bad}");
+            assert!(replay(bad.as_bytes(), &mut sketch, &Known::default(), Fit::Exact).is_err(), "{bad}");
             assert_eq!(sketch, start, "{bad}");
         }
     }

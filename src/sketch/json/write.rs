@@ -3,7 +3,8 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::number::push_number;
-use super::{FORMAT, corrections, garden, part_poses, petal_shapes, plants, version_of};
+use super::{FORMAT, corrections, garden, garden_drawings, part_poses, petal_shapes, plants, version_of};
+use crate::sketch::garden_drawing::{self, GardenDrawing};
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Brush, Sketch, Stroke, StrokePoint};
@@ -33,13 +34,19 @@ pub fn write(sketch: &Sketch) -> String {
     push_lines(&mut out, "corrections", &sketch.corrections, corrections::push);
     push_lines(&mut out, "petal_shapes", &sketch.petal_shapes, petal_shapes::push);
     push_lines(&mut out, "wood_poses", &sketch.part_poses, part_poses::push);
-    push_lines(&mut out, "garden", &sketch.garden, garden::push);
+    push_lines(&mut out, "garden", &sketch.garden, |out, stroke| garden::push(out, stroke, name_of));
     out.push_str("  \"strokes\": [");
     for (i, stroke) in sketch.strokes.iter().enumerate() {
         out.push_str(if i == 0 { "\n    " } else { ",\n    " });
         push_stroke(&mut out, stroke);
     }
     out.push_str("\n  ]");
+    // A sound garden has no two of one name.
+    let drawings = garden_drawing::named(&sketch.garden).unwrap_or_default();
+    if !drawings.is_empty() {
+        out.push_str(",\n  \"garden_drawings\": ");
+        garden_drawings::push(&mut out, drawings.into_values());
+    }
     if let Some(reference) = &sketch.reference {
         out.push_str(",\n  \"reference\": {");
         push_placement(&mut out, reference);
@@ -58,6 +65,10 @@ pub fn write(sketch: &Sketch) -> String {
     }
     out.push_str("\n}\n");
     out
+}
+
+fn name_of(drawing: &GardenDrawing) -> String {
+    drawing.name().to_owned()
 }
 
 /// A field that is a list, each of its items on a line; nothing where there are none.

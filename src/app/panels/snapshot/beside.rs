@@ -13,6 +13,17 @@ pub struct BesideState {
     pub sheet: [f32; 2],
 }
 
+/// The age of a plant as its slider shows it, years.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AgeState {
+    /// The age.
+    pub years: f32,
+    /// The one that plants of its species have where nobody says otherwise.
+    pub own: f32,
+    /// The oldest on the slider.
+    pub most: f32,
+}
+
 /// A plant beside the drawn one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlantState {

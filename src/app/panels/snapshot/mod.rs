@@ -13,7 +13,7 @@ mod readings;
 mod space;
 mod status;
 
-pub use beside::{BesideState, PlantState};
+pub use beside::{AgeState, BesideState, PlantState};
 pub use brush::BrushState;
 pub use garden::GardenState;
 pub use params::ParamValues;
