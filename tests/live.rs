@@ -8,7 +8,7 @@ use penstemon::anatomy::{self, AnatomyParams};
 use penstemon::model::Model;
 use penstemon::pipeline::{self, Ages, Built, Cache, Seed};
 use penstemon::plant::{GrownId, OrganKind, Origin, Shape, Texture};
-use penstemon::sketch::garden_drawing::for_garden;
+use penstemon::sketch::garden::for_garden;
 use penstemon::sketch::part_poses::posed;
 use penstemon::sketch::petal_shapes::shaped;
 use penstemon::sketch::{

@@ -6,12 +6,13 @@
 //! Limits: another drawing whose species is not known, or whose parameters cannot be used, is built as any species, or with the usual ones.
 
 use super::clock::Clock;
+use super::drawing::{self, DrawingMemory};
 use super::finish::{Built, Finish, finish};
 use super::seed::SeedMemory;
 use super::setup::{Params, params_of, params_of_species, species_or_usual};
 use super::source::Seed;
 use super::usual_species::DEFAULT_SPECIES;
-use super::{alone, build, levels};
+use super::{alone, levels};
 use crate::budget::Budget;
 use crate::cards;
 use crate::model::{self, Model};
@@ -90,7 +91,7 @@ pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
             let Some((species, params)) = set_up(drawing.sketch(), &season) else { return Vec::new() };
             let built = |number: u32| {
                 let seed = drawing.sketch().seed.wrapping_add(u64::from(number));
-                Some(build(&Sketch { seed, ..drawing.sketch().clone() }, &species, &params))
+                drawn_alone((&species, &params), &Sketch { seed, ..drawing.sketch().clone() })
             };
             grown(of, &params, built)
         }
@@ -114,6 +115,15 @@ fn grown(of: &MadeOf, params: &Params, built: impl Fn(u32) -> Option<Built> + Sy
         Some((levels::for_garden(&built.plant, &built.model, params, of.triangles), remarks))
     };
     (0..of.variants).into_par_iter().filter_map(individual).collect()
+}
+
+/// The plant of a drawing.
+fn drawn_alone(with: (&Species, &Params), sketch: &Sketch) -> Option<Built> {
+    let (clock, never) = (&mut Clock::default(), &|| false);
+    let produced = drawing::produce(&mut DrawingMemory::for_one_build(), sketch, with, clock, never)?;
+    let (model, cards) = (&mut model::Cache::for_one_build(), &mut cards::Cache::for_one_build());
+    let how = Finish { seed: sketch.seed, pictures: &sketch.textures, budget: Budget::PLANT, placing: None };
+    finish((model, cards), produced, with, &how, clock, never)
 }
 
 /// A plant of a seed as if it were alone.

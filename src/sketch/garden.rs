@@ -6,10 +6,11 @@
 //! Limits: the ground is level; plants of a bed are the drawn one, of built-in species that make themselves, or of other drawings.
 
 use super::brush::DENSITIES;
-use super::garden_drawing::{self, GardenDrawing};
-use super::limits;
+use super::garden_drawing::GardenDrawing;
+use super::{Sketch, limits};
 use crate::quote;
 use glam::Vec2;
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -86,6 +87,49 @@ pub struct GardenStroke {
 /// All strokes of a garden, oldest first; shared, because drawings are copied with every sample of the pen.
 pub type GardenStrokes = Arc<[Arc<GardenStroke>]>;
 
+/// The drawings that strokes of a garden plant. One may come again.
+pub(super) fn drawings_of(garden: &[Arc<GardenStroke>]) -> impl Iterator<Item = &GardenDrawing> {
+    garden.iter().filter_map(|stroke| match &stroke.tool {
+        GardenTool::Plants(GardenPlant::Drawing(drawing)) => Some(drawing),
+        _ => None,
+    })
+}
+
+/// The drawings that strokes of a garden plant, each once, by their names.
+///
+/// # Errors
+/// The name that two different ones have.
+pub fn named(garden: &[Arc<GardenStroke>]) -> Result<BTreeMap<&str, &GardenDrawing>, &str> {
+    let mut all = BTreeMap::new();
+    for drawing in drawings_of(garden) {
+        if all.insert(drawing.name(), drawing).is_some_and(|known| known != drawing) {
+            return Err(drawing.name());
+        }
+    }
+    Ok(all)
+}
+
+/// The plant of a drawing that is to come into a garden: under its name, or with a number behind it where another has that name.
+///
+/// # Errors
+/// As [`GardenDrawing::new`].
+pub fn for_garden(
+    garden: &[Arc<GardenStroke>],
+    name: &str,
+    sketch: &Sketch,
+) -> Result<GardenDrawing, String> {
+    let mut number: u64 = 1;
+    loop {
+        let name = if number == 1 { name.to_owned() } else { format!("{name} {number}") };
+        let drawing = GardenDrawing::new(&name, sketch.clone())?;
+        let is_free = |known: &GardenDrawing| known.name() != drawing.name() || *known == drawing;
+        if drawings_of(garden).all(is_free) {
+            return Ok(drawing);
+        }
+        number += 1;
+    }
+}
+
 /// Checks that there are not too many strokes, and that each is possible.
 ///
 /// # Errors
@@ -94,7 +138,7 @@ pub(super) fn check(strokes: &[Arc<GardenStroke>]) -> Result<(), String> {
     if strokes.len() > limits::MAX_GARDEN_STROKES {
         return Err(format!("a garden holds at most {} strokes", limits::MAX_GARDEN_STROKES));
     }
-    let drawings = garden_drawing::named(strokes).map_err(|name| {
+    let drawings = named(strokes).map_err(|name| {
         format!("two of its drawings are called `{}`; give each its own name", quote::name(name))
     })?;
     if drawings.len() > limits::MAX_GARDEN_DRAWINGS {

@@ -1,16 +1,14 @@
 //! A drawing of another plant that the artist planted in a garden: a copy of it inside the drawing that has the garden, so that it is
 //! there wherever that drawing goes.
 //!
-//! The copy has the plant alone: neither a garden of its own nor the picture under it. In a file the copies stand apart from the strokes
-//! that name them, each once ([`named`]); in the journal too, by their hash.
+//! The copy has the plant alone: no plants beside it, no garden of its own, no picture under it. In a file the copies stand apart from the strokes
+//! that name them, each once ([`super::garden::named`]); in the journal too, by their hash.
 //!
 //! Limits: a species file of the artist's own stays where it is, so such a plant is built as one of any species.
 
-use super::garden::{GardenPlant, GardenStroke, GardenStrokes, GardenTool};
 use super::species_file::is_file;
-use super::{Sketch, json, limits};
+use super::{Sketch, limits};
 use crate::picture::content_hash;
-use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -36,8 +34,10 @@ impl GardenDrawing {
             return Err("a drawing in a garden needs a name".to_owned());
         }
         let species = sketch.species.filter(|species| !is_file(species));
-        let sketch = Sketch { garden: GardenStrokes::default(), reference: None, species, ..sketch };
-        let hash = content_hash(format!("{name}\n{}", json::write(&sketch)).as_bytes());
+        let sketch =
+            Sketch { garden: Default::default(), plants: Vec::new(), reference: None, species, ..sketch };
+        let pictures: Vec<u64> = sketch.pictures().map(|picture| picture.hash()).collect();
+        let hash = content_hash(format!("{name}\n{pictures:?}\n{sketch:?}").as_bytes());
         Ok(Self(Arc::new(Inside { name: name.to_owned(), sketch, hash })))
     }
 
@@ -71,53 +71,13 @@ impl fmt::Debug for GardenDrawing {
     }
 }
 
-/// The drawings that strokes of a garden plant. One may come again.
-pub(super) fn drawings(garden: &[Arc<GardenStroke>]) -> impl Iterator<Item = &GardenDrawing> {
-    garden.iter().filter_map(|stroke| match &stroke.tool {
-        GardenTool::Plants(GardenPlant::Drawing(drawing)) => Some(drawing),
-        _ => None,
-    })
-}
-
-/// The drawings that strokes of a garden plant, each once, by their names.
-///
-/// # Errors
-/// The name that two different ones have.
-pub fn named(garden: &[Arc<GardenStroke>]) -> Result<BTreeMap<&str, &GardenDrawing>, &str> {
-    let mut all = BTreeMap::new();
-    for drawing in drawings(garden) {
-        if all.insert(drawing.name(), drawing).is_some_and(|known| known != drawing) {
-            return Err(drawing.name());
-        }
-    }
-    Ok(all)
-}
-
-/// The plant of a drawing that is to come into a garden: under its name, or with a number behind it where another has that name.
-///
-/// # Errors
-/// As [`GardenDrawing::new`].
-pub fn for_garden(
-    garden: &[Arc<GardenStroke>],
-    name: &str,
-    sketch: &Sketch,
-) -> Result<GardenDrawing, String> {
-    let mut number: u64 = 1;
-    loop {
-        let name = if number == 1 { name.to_owned() } else { format!("{name} {number}") };
-        let drawing = GardenDrawing::new(&name, sketch.clone())?;
-        let is_free = |known: &GardenDrawing| known.name() != drawing.name() || *known == drawing;
-        if drawings(garden).all(is_free) {
-            return Ok(drawing);
-        }
-        number += 1;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sketch::{GardenPoint, Stroke, StrokePoint, Tool};
+    use crate::sketch::garden::{for_garden, named};
+    use crate::sketch::{
+        GardenPlant, GardenPoint, GardenStroke, GardenStrokes, GardenTool, Stroke, StrokePoint, Tool,
+    };
     use glam::Vec2;
 
     fn drawing(name: &str, x: f32) -> GardenDrawing {

@@ -23,7 +23,6 @@
 mod corrections;
 mod fault;
 mod garden;
-pub(super) mod garden_drawings;
 mod names;
 mod number;
 mod params;
@@ -40,8 +39,9 @@ mod write;
 
 pub use fault::newer_version;
 pub(super) use number::push_number;
-pub(super) use parse::parse;
+pub(super) use parse::{garden_drawings, parse};
 
+pub(super) use write::push_garden_drawings;
 pub use write::write;
 
 use super::{GardenPlant, GardenStroke, GardenTool, Sketch, Stroke, TextureChoice, Tool};

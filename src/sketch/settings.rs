@@ -2,7 +2,7 @@
 
 use super::{
     Canvas, Corrections, GardenDrawing, GardenStrokes, PartPoses, PetalShapes, Picture, PlacedPlant,
-    Reference, Sketch, Textures, garden_drawing, textures,
+    Reference, Sketch, Textures, garden, textures,
 };
 use serde_json::{Map, Value};
 use std::sync::Arc;
@@ -66,7 +66,7 @@ settings! {
 impl Settings {
     /// Every drawing that a garden in these settings has plants of. One may come again.
     pub(super) fn garden_drawings(&self) -> impl Iterator<Item = &GardenDrawing> {
-        self.garden.iter().flat_map(|garden| garden_drawing::drawings(garden))
+        self.garden.iter().flat_map(|garden| garden::drawings_of(garden))
     }
 
     /// Every picture in these settings. A picture may come again.

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use penstemon::sketch::document::Document;
-use penstemon::sketch::garden_drawing::for_garden;
+use penstemon::sketch::garden::for_garden;
 use penstemon::sketch::{
     Change, GardenPlant, GardenPoint, GardenStroke, GardenTool, Picture, Reference, Sketch, Step, Stroke,
     StrokeChange, TextureChoice, Textures,

@@ -5,7 +5,7 @@ use super::Editor;
 use crate::app::messages::{Localize as _, Msg};
 use crate::app::panels::snapshot::Notice;
 use crate::pipeline;
-use crate::sketch::garden_drawing::{for_garden, named};
+use crate::sketch::garden::{for_garden, named};
 use crate::sketch::save::{self, Opened};
 use crate::sketch::species_file::is_file;
 use crate::sketch::{GardenDrawing, GardenPlant};
@@ -26,7 +26,7 @@ impl Editor {
         self.take_in(&mut sketch.textures, path.parent().unwrap_or(Path::new("")));
         let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let about = |msg| self.prefs.messages().fill(msg, &[("name", &name)]);
-        if sketch.strokes.is_empty() && sketch.plants.is_empty() {
+        if sketch.strokes.is_empty() {
             return self.notify(Notice::error(about(Msg::GardenNothingDrawn), ""));
         }
         if sketch.species.is_none() {

@@ -6,7 +6,7 @@ use super::record::{self, HEADER, Kind};
 use super::session::{Folder, Meta};
 use crate::atomic::WriteError;
 use crate::file_system::{Access, WrittenFile};
-use crate::sketch::{GardenDrawing, Picture, Sketch, Step, garden_drawing, json};
+use crate::sketch::{GardenDrawing, Picture, Sketch, Step, garden, json};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::io;
@@ -67,7 +67,7 @@ impl Journal {
         let create = || {
             let file = folder.files.create_new(&path, &Access::Owner)?;
             let pictures = sketch.pictures().map(Picture::hash).collect();
-            let drawings = garden_drawing::drawings(&sketch.garden).map(GardenDrawing::hash).collect();
+            let drawings = garden::drawings_of(&sketch.garden).map(GardenDrawing::hash).collect();
             let path = path.clone();
             let mut journal = Self { file, path, bytes: 0, pictures, drawings, unsnapshotted_since: None };
             let mut start = HEADER.as_bytes().to_vec();
@@ -100,7 +100,7 @@ impl Journal {
             for drawing in step.after.garden_drawings() {
                 if self.drawings.insert(drawing.hash()) {
                     let mut text = String::new();
-                    json::garden_drawings::push(&mut text, [drawing]);
+                    json::push_garden_drawings(&mut text, [drawing]);
                     record::append(&mut records, Kind::Drawing, text.as_bytes())?;
                 }
             }

@@ -222,7 +222,7 @@ impl Replay {
                 Next::Record(Kind::Picture, bytes) => Picture::new(bytes.to_vec())
                     .map(|picture| self.known.add_picture(picture))
                     .map_err(|fault| fault.to_string()),
-                Next::Record(Kind::Drawing, text) => json::garden_drawings::read(text).map(|drawings| {
+                Next::Record(Kind::Drawing, text) => json::garden_drawings(text).map(|drawings| {
                     drawings.into_values().for_each(|drawing| self.known.add_drawing(drawing));
                 }),
                 Next::Record(Kind::Named | Kind::Saved | Kind::Sum, _) => Ok(()),

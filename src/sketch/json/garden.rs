@@ -8,7 +8,7 @@
 //! ```
 //!
 //! Points are metres to the right of the drawn plant and toward the viewer, and the pen's pressure. Without a species plants are copies
-//! of the drawn one. A drawing is named as [`garden_drawings`](super::garden_drawings) has it.
+//! of the drawn one. A drawing is named as `garden_drawings` has it.
 
 use super::number::push_number;
 use super::progress::Progress;

@@ -14,7 +14,8 @@ use super::petal_shapes::{self, PetalShapeList};
 use super::plants::{self, Plants};
 use super::progress::Progress;
 use super::write::{push_placement, push_stroke};
-use crate::sketch::garden_drawing::{self, GardenDrawing};
+use crate::sketch::garden::drawings_of;
+use crate::sketch::garden_drawing::GardenDrawing;
 use crate::sketch::invariants::check_stroke;
 use crate::sketch::settings::Settings;
 use crate::sketch::step::{Step, Swap};
@@ -41,7 +42,7 @@ impl Known {
     pub(in crate::sketch) fn of(sketch: &Sketch) -> Self {
         let mut known = Self::default();
         sketch.pictures().cloned().for_each(|picture| known.add_picture(picture));
-        garden_drawing::drawings(&sketch.garden).cloned().for_each(|drawing| known.add_drawing(drawing));
+        drawings_of(&sketch.garden).cloned().for_each(|drawing| known.add_drawing(drawing));
         known
     }
 

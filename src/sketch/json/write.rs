@@ -3,8 +3,9 @@
 //! Numbers are the shortest that read back to the same bits; a stroke's points carry no more numbers than it needs.
 
 use super::number::push_number;
-use super::{FORMAT, corrections, garden, garden_drawings, part_poses, petal_shapes, plants, version_of};
-use crate::sketch::garden_drawing::{self, GardenDrawing};
+use super::{FORMAT, corrections, garden, part_poses, petal_shapes, plants, version_of};
+use crate::sketch::garden::named;
+use crate::sketch::garden_drawing::GardenDrawing;
 use crate::sketch::reference::Reference;
 use crate::sketch::textures;
 use crate::sketch::{Brush, Sketch, Stroke, StrokePoint};
@@ -42,10 +43,10 @@ pub fn write(sketch: &Sketch) -> String {
     }
     out.push_str("\n  ]");
     // A sound garden has no two of one name.
-    let drawings = garden_drawing::named(&sketch.garden).unwrap_or_default();
+    let drawings = named(&sketch.garden).unwrap_or_default();
     if !drawings.is_empty() {
         out.push_str(",\n  \"garden_drawings\": ");
-        garden_drawings::push(&mut out, drawings.into_values());
+        push_garden_drawings(&mut out, drawings.into_values());
     }
     if let Some(reference) = &sketch.reference {
         out.push_str(",\n  \"reference\": {");
@@ -65,6 +66,18 @@ pub fn write(sketch: &Sketch) -> String {
     }
     out.push_str("\n}\n");
     out
+}
+
+/// Appends the drawings as an object; each begins on a line of its own.
+pub(in crate::sketch) fn push_garden_drawings<'a>(
+    out: &mut String,
+    drawings: impl IntoIterator<Item = &'a GardenDrawing>,
+) {
+    for (i, drawing) in drawings.into_iter().enumerate() {
+        out.push_str(if i == 0 { "{\n" } else { ",\n" });
+        out.push_str(&format!("{}: {}", json!(drawing.name()), write(drawing.sketch()).trim_end()));
+    }
+    out.push_str("\n}");
 }
 
 fn name_of(drawing: &GardenDrawing) -> String {
