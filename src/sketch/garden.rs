@@ -14,6 +14,9 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
+/// Bytes that a number behind a drawing's name takes at most, with the space before it.
+const NUMBER_BYTES: usize = 8;
+
 /// Radii that strokes may have, metres.
 pub const RADII: RangeInclusive<f32> = 0.01..=500.0;
 
@@ -118,16 +121,20 @@ pub fn for_garden(
     name: &str,
     sketch: &Sketch,
 ) -> Result<GardenDrawing, String> {
-    let mut number: u64 = 1;
-    loop {
-        let name = if number == 1 { name.to_owned() } else { format!("{name} {number}") };
-        let drawing = GardenDrawing::new(&name, sketch.clone())?;
-        let is_free = |known: &GardenDrawing| known.name() != drawing.name() || *known == drawing;
-        if drawings_of(garden).all(is_free) {
-            return Ok(drawing);
+    // Of a long name the end makes room for the number: cut off, it would tell nothing apart.
+    let room = limits::MAX_SPECIES_NAME_BYTES - NUMBER_BYTES;
+    let begun = &name[..name.floor_char_boundary(room)];
+    let mut drawing = GardenDrawing::new(name, sketch.clone())?;
+    let is_free = |drawing: &GardenDrawing| {
+        drawings_of(garden).all(|known| known.name() != drawing.name() || known == drawing)
+    };
+    for number in 2..=garden.len() + 2 {
+        if is_free(&drawing) {
+            break;
         }
-        number += 1;
+        drawing = GardenDrawing::new(&format!("{begun} {number}"), sketch.clone())?;
     }
+    Ok(drawing)
 }
 
 /// Checks that there are not too many strokes, and that each is possible.

@@ -118,5 +118,9 @@ mod tests {
         assert!(named(&beds).unwrap().into_keys().eq(["pine", "pine 2"]));
         beds.push(bed(GardenPlant::Drawing(other)));
         assert_eq!(named(&beds), Err("pine"));
+        let long = "ä".repeat(500);
+        let beds = [bed(GardenPlant::Drawing(drawing(&long, 3.0)))];
+        let apart = for_garden(&beds, &long, drawing("pine", 4.0).sketch()).unwrap();
+        assert!(apart.name().ends_with(" 2"), "{}", apart.name());
     }
 }
