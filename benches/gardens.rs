@@ -8,7 +8,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use glam::Vec2;
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
 use penstemon::garden::ground::Ground;
-use penstemon::garden::{Area, Garden, Kind, Plan, Stock, TileSet, Variation};
+use penstemon::garden::{Area, Garden, Kind, Plan, Share, Stands, Stock, TileSet, Variation};
 use penstemon::pipeline::{self, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
 use penstemon::sketch::{self, GardenPlant, GardenPoint, GardenStroke, GardenTool, Sketch};
@@ -29,6 +29,8 @@ const SPACING: f32 = 0.5;
 /// A square with room for about so many plants.
 fn plan(plants: u32, tiles: &TileSet) -> Plan {
     let side = (plants as f32 / tiles.density()).sqrt() * SPACING;
+    let (share, spacing, variants) = (1.0, SPACING, 16);
+    let kind = Kind { share, spacing, variants, map: None, bed: None, stands: Stands::Spread };
     Plan {
         seed: 1,
         area: Area::rectangle(Vec2::splat(side)).unwrap(),
@@ -36,7 +38,8 @@ fn plan(plants: u32, tiles: &TileSet) -> Plan {
         map: None,
         ground: Ground::default(),
         paths: Vec::new(),
-        kinds: vec![Kind { share: 1.0, spacing: SPACING, variants: 16, map: None }],
+        beds: Vec::new(),
+        kinds: vec![kind],
         variation: Variation::default(),
     }
 }
@@ -63,6 +66,12 @@ fn places(c: &mut Criterion) {
             b.iter_with_large_drop(|| black_box(plan.places(&tiles).unwrap()));
         });
     }
+    let largest = plan(PLANTS[4], &tiles);
+    let share: Share = "32/64".parse().unwrap();
+    group.throughput(Throughput::Elements(u64::from(PLANTS[4] / share.of())));
+    group.bench_function("a share of 64", |b| {
+        b.iter_with_large_drop(|| black_box(largest.places_of(&tiles, share).unwrap()));
+    });
     group.finish();
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/gardens.md anew: a bed of roses, roses on a slope in three densities, and a painted garden. Needs a Vulkan driver and
-# Python 3 with Pillow. PROGRAM is the program, a release build without it.
+# Makes the pictures of docs/gardens.md anew: a bed of roses, a cottage garden, roses on a slope in three densities, and a painted garden.
+# Needs a Vulkan driver and Python 3 with Pillow. PROGRAM is the program, a release build without it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if [ -z "${PROGRAM:-}" ]; then
@@ -11,6 +11,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 "$PROGRAM" garden assets/gardens/roses.toml -o "$work/bed.png" --size 1600x760
+
+"$PROGRAM" garden assets/gardens/cottage.toml -o "$work/cottage.png" --outdoors --size 1600x760
 
 "$PROGRAM" build tests/fixtures/painted_garden.penstemon -o "$work/painted.png" --size 1800x1080 --view three-quarter
 
@@ -54,7 +56,7 @@ python3 - "$work" << 'SMALLER'
 import sys
 from PIL import Image
 
-for source, target, size in [('bed', 'garden', (1200, 570)), ('slope', 'garden-slope', (1000, 500)),
+for source, target, size in [('bed', 'garden', (1200, 570)), ('cottage', 'cottage', (1000, 475)), ('slope', 'garden-slope', (1000, 500)),
                              ('painted', 'painted_garden', (1100, 660)), ('walk', 'walk', (1000, 500))]:
     picture = Image.open(f'{sys.argv[1]}/{source}.png').convert('RGB')
     picture.resize(size, Image.LANCZOS).save(f'docs/images/{target}.png', optimize=True)

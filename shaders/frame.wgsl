@@ -22,6 +22,12 @@ fn backdrop(clip: vec2<f32>) -> vec3<f32> {
     return mix(frame.backdrop_centre.rgb, frame.backdrop_edge.rgb, out);
 }
 
+// A point of the model; outdoors none is below the lawn, where the slab of a garden would stand.
+fn above_lawn(world: vec3<f32>) -> vec3<f32> {
+    let lowest = select(-1e30, frame.backdrop_centre.w, frame.backdrop_edge.w > 0.5);
+    return vec3(world.x, max(world.y, lowest), world.z);
+}
+
 // Unit vector from a world point to the eye.
 fn toward_eye(world: vec3<f32>) -> vec3<f32> {
     return normalize(frame.eye.xyz - world * frame.eye.w);

@@ -26,7 +26,7 @@ fn vertex(
     @location(2) uv: vec2<f32>,
     copy: Placement,
 ) -> Corner {
-    let world = placed(point, copy);
+    let world = above_lawn(placed(point, copy));
     let normal = turned(standing_normal, copy);
     var sky = SkyLight(vec3(0.0), vec3(0.0));
     if SKY_PER_CORNER {

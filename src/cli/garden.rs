@@ -7,10 +7,10 @@ use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
 use crate::formats::write::{self, Surfaces, Takes};
-use crate::garden::places::Plan;
+use crate::garden::plan::Plan;
 use crate::garden::spec::KindFields;
 use crate::garden::stock::Individual;
-use crate::garden::{Garden, GardenSpec, KindSpec, Origin, Outline, Place, Stock, TileSet, surface};
+use crate::garden::{Garden, GardenSpec, KindSpec, Origin, Outline, Place, Share, Stock, TileSet, surface};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::picture::Picture;
@@ -53,6 +53,10 @@ pub struct Args {
     /// Individuals of each kind, of which its plants are copies.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=256))]
     pub variants: Option<u32>,
+    /// Only a share of the plants, without the ground: the third of 64 is 3/64. Those of all shares, one after the other, are those of the
+    /// whole garden.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Share>,
     /// What the individuals are made of and how fine they are; left out, as fine as their number and that of the plants allows.
     /// --triangles goes before.
     #[arg(long, value_name = "DETAIL")]
@@ -160,19 +164,22 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         "{individuals} individuals are more than the {most} of a garden; choose fewer variants"
     );
     sources.spare(args.files().iter().map(PathBuf::as_path))?;
-    let places = clock.time("places", || plan.places(&tiles))?;
+    let places = clock.time("places", || match args.shard {
+        None => plan.places(&tiles),
+        Some(share) => plan.places_of(&tiles, share),
+    })?;
     check_outputs(args, places.len())?;
+    let usual = usual_triangles(args.detail, plan.plants(&tiles)?, individuals);
     let stock = clock.time("individuals", || {
-        let usual = match args.detail {
-            Some(Detail::Full) => u32::MAX,
-            Some(Detail::Reduced) => FEWEST_TRIANGLES,
-            _ => triangles_of_each(places.len(), individuals),
-        };
         growers.iter_mut().for_each(|grower| grower.fit(usual));
         stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
     })?;
-    let ground = clock.time("ground", || surface::slab(&plan, spec.ground.cover));
+    let ground = clock.time("ground", || match args.shard {
+        None => surface::slab(&plan, spec.ground.cover),
+        Some(_) => None,
+    });
     let garden = Garden { stock, places, ground };
+    warn_of_missing(&garden, args.shard);
     let bytes = clock.time("files", || write_all(args, &plan, &garden, &sources))?;
     if args.stats {
         common::print(&stats(&garden, &tiles, clock.take(), bytes).to_string())?;
@@ -230,6 +237,34 @@ fn warn(spec: &GardenSpec, tiles: &TileSet) {
         tracing::warn!(
             "the shares of the plants sum to {sum}, not to 1; they are weighed against each other"
         );
+    }
+}
+
+/// How many triangles an individual has of which nothing is said, in a garden of about so many plants.
+fn usual_triangles(detail: Option<Detail>, plants: f64, individuals: usize) -> u32 {
+    match detail {
+        Some(Detail::Full) => u32::MAX,
+        Some(Detail::Reduced) => FEWEST_TRIANGLES,
+        _ => triangles_of_each(plants.round() as usize, individuals),
+    }
+}
+
+/// Says which kinds have no plant in the garden.
+fn warn_of_missing(garden: &Garden, shard: Option<Share>) {
+    match shard {
+        Some(share) if garden.places.is_empty() => {
+            tracing::warn!("share {} of {} has no plants", share.number(), share.of());
+        }
+        Some(_) => {}
+        None => {
+            let kinds = garden.stock.kinds.iter().zip(garden.plants_of_each_kind());
+            for (kind, _) in kinds.filter(|(_, plants)| *plants == 0) {
+                tracing::warn!(
+                    "no plant of {} has found room; give it more ground, a larger share or a smaller spacing",
+                    kind.name
+                );
+            }
+        }
     }
 }
 
@@ -482,6 +517,34 @@ mod tests {
             check_size(Path::new("a.png"), 100_000_000).unwrap_err().to_string().contains("smaller area")
         );
         assert!(check_size(Path::new("a.glb"), 100_000_000).is_ok());
+    }
+
+    /// The lines of a list's plants.
+    fn plants(list: &Path) -> String {
+        let text = std::fs::read_to_string(list).unwrap();
+        let (_, plants) = text.split_once("\"plants\":[\n").unwrap();
+        plants.strip_suffix("\n]}\n").unwrap().to_owned()
+    }
+
+    #[test]
+    fn the_lists_of_shares_are_the_list_of_the_garden() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: String, options: &str| {
+            let out = folder.path().join(name);
+            let garden = "penstemon garden tulip daisy --density 3 --variants 2";
+            run(&parse(&format!("{garden} {options} -o {}", out.display())).unwrap()).unwrap();
+            out
+        };
+        let whole = plants(&write("whole.json".into(), "--area 40x30"));
+        let share = |number: u32| {
+            plants(&write(format!("{number}.json"), &format!("--area 40x30 --shard {number}/4")))
+        };
+        let shares: Vec<String> = (1..=4).map(share).collect();
+        assert!(shares.iter().all(|share| share.lines().count() > 300));
+        assert!(shares.join(",\n") == whole);
+        let glb = load(&write("1.glb".into(), "--area 4x3 --shard 1/1")).unwrap().model;
+        assert!(glb.parts.iter().all(|part| !part.name.starts_with("ground")));
+        assert!(parse("penstemon garden rose --area 4x4 --shard 5/4 -o a.glb").is_err());
     }
 
     #[test]

@@ -158,6 +158,20 @@ impl<'de> Deserialize<'de> for Outline {
     }
 }
 
+/// Refuses a line that is too short or too long.
+///
+/// # Errors
+/// What is wrong with it; `what` says what it is.
+pub fn check_line(points: &[Vec2], what: &str) -> Result<(), String> {
+    if !(2..=MOST_CORNERS).contains(&points.len()) {
+        return Err(format!("{what} leads along 2 to {MOST_CORNERS} points, this one has {}", points.len()));
+    }
+    if !points.iter().all(|point| point.is_finite() && point.abs().max_element() <= LONGEST) {
+        return Err(format!("points of {what} are metres from -{LONGEST} to {LONGEST}"));
+    }
+    Ok(())
+}
+
 /// A path, on which nothing grows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Path {
@@ -171,15 +185,7 @@ impl Path {
     /// # Errors
     /// What is wrong with it.
     pub fn new(points: Vec<Vec2>, width: f32) -> Result<Self, String> {
-        if !(2..=MOST_CORNERS).contains(&points.len()) {
-            return Err(format!(
-                "a path leads along 2 to {MOST_CORNERS} points, this one has {}",
-                points.len()
-            ));
-        }
-        if !points.iter().all(|point| point.is_finite() && point.abs().max_element() <= LONGEST) {
-            return Err(format!("points of a path are metres from -{LONGEST} to {LONGEST}"));
-        }
+        check_line(&points, "a path")?;
         if !(width > 0.0 && width <= LONGEST) {
             return Err("the width of a path is a number of metres above 0".to_owned());
         }

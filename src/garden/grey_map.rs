@@ -50,6 +50,18 @@ impl std::fmt::Debug for GreyMap {
 }
 
 impl GreyMap {
+    /// A map of values from 0 to 1, row by row.
+    pub(super) fn of_values(size: UVec2, values: Vec<f32>) -> Self {
+        debug_assert_eq!(values.len(), (size.x * size.y) as usize);
+        Self { size, values }
+    }
+
+    /// The mean of its values.
+    pub fn mean(&self) -> f32 {
+        let sum: f64 = self.values.iter().map(|value| f64::from(*value)).sum();
+        (sum / self.values.len().max(1) as f64) as f32
+    }
+
     /// Reads a PNG or JPEG file.
     ///
     /// # Errors

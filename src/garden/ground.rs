@@ -1,4 +1,4 @@
-//! How high the ground of a garden is: level, or as a grey picture says.
+//! How high the ground of a garden is: level, or as a grey picture or a mesh says.
 
 use super::grey_map::GreyMap;
 use glam::{Vec2, Vec3};
@@ -9,7 +9,7 @@ pub struct Ground {
     relief: Option<Relief>,
 }
 
-/// A picture of heights over a rectangle.
+/// Heights over a rectangle.
 #[derive(Clone, Debug, PartialEq)]
 struct Relief {
     map: GreyMap,

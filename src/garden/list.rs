@@ -3,7 +3,7 @@
 //! A plant a line: its kind and individual, counted from 0, the place of its foot in metres with y up, its turn as a
 //! quaternion (x, y, z, w), and its size.
 
-use super::places::Place;
+use super::plan::Place;
 use super::scene::Garden;
 use serde_json::{Value, json};
 

@@ -9,8 +9,12 @@
 //! | file | what |
 //! | --- | --- |
 //! | `tiles` | corner-coloured Poisson-disk tiles |
-//! | `area`, `grey_map`, `ground` | ground plan, density maps, heights |
-//! | `places` | where plants stand: the tiles laid over the area |
+//! | `area`, `grey_map`, `ground`, `ground_mesh` | ground plan, density maps, heights, those of an OBJ file |
+//! | `plan` | the garden before anything grows: beds, paths, kinds; what a plant at a place is like |
+//! | `rows` | plants that are put: one by one, along lines, in rows |
+//! | `lattice`, `occupied` | the tiles over one bed; what stands there already |
+//! | `share` | shares of a garden that are made apart |
+//! | `places` | where plants stand: all of these |
 //! | `painted` | the garden as strokes on the ground: places and ground |
 //! | `spec` | the garden as text |
 //! | `stock` | the individuals that are copied |
@@ -23,10 +27,16 @@
 pub mod area;
 pub mod grey_map;
 pub mod ground;
+pub mod ground_mesh;
+mod lattice;
 mod list;
+mod occupied;
 pub mod painted;
 pub mod places;
+pub mod plan;
+mod rows;
 pub mod scene;
+pub mod share;
 pub mod spec;
 pub mod stock;
 pub mod surface;
@@ -34,8 +44,9 @@ pub mod tiles;
 
 pub use area::{Area, Outline};
 pub use painted::GardenParams;
-pub use places::{Kind, Place, Plan, PlanError, Variation};
+pub use plan::{Kind, Place, Plan, PlanError, Stands, Variation};
 pub use scene::Garden;
+pub use share::Share;
 pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
 pub use stock::Stock;
 pub use tiles::{Spot, TileSet};

@@ -12,7 +12,8 @@
 //! size each has.
 
 use super::ground::Ground;
-use super::places::{Occupied, Place, leaning};
+use super::occupied::Occupied;
+use super::plan::{Place, leaning};
 use super::spec::Cover;
 use super::surface::{Layer, Terrain};
 use super::tiles::{Spot, TileSet};

@@ -1,14 +1,19 @@
 //! Places of plants: distances, densities, determinism, what is refused.
 
+use super::super::area::{Area, Path};
+use super::super::grey_map::GreyMap;
+use super::super::ground::Ground;
+use super::super::plan::Variation;
 use super::*;
 use crate::picture::decode::Rgba;
+use glam::Vec3;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 static TILES: LazyLock<TileSet> = LazyLock::new(|| TileSet::new(3, 1));
 
 fn kind(share: f32, spacing: f32) -> Kind {
-    Kind { share, spacing, variants: 16, map: None }
+    Kind { share, spacing, variants: 16, map: None, bed: None, stands: Stands::Spread }
 }
 
 fn plan(size: [f32; 2], kinds: Vec<Kind>) -> Plan {
@@ -19,6 +24,7 @@ fn plan(size: [f32; 2], kinds: Vec<Kind>) -> Plan {
         map: None,
         ground: Ground::default(),
         paths: Vec::new(),
+        beds: Vec::new(),
         kinds,
         variation: Variation::default(),
     }
@@ -31,19 +37,12 @@ fn grey(width: u32, greys: &[u8]) -> GreyMap {
 
 /// The least distance between plants that keep these distances, as a share of the mean of theirs.
 fn least_share(places: &[Place], plan: &Plan) -> f32 {
-    let occupied = Occupied::new(places, plan);
-    let (grid, sorted) = occupied.index.as_ref().unwrap();
+    let occupied = plan.occupied(places, plan.area.bounds());
     let mut least = f32::INFINITY;
     for (i, &(at, kept)) in occupied.plants.iter().enumerate() {
-        let (low, high) = grid.around(flat(at), occupied.widest);
-        for z in low.z..=high.z {
-            let cell = |x: i32| grid.number(IVec3::new(x, 0, z));
-            for &other in sorted.run(cell(low.x), cell(high.x)) {
-                let (there, other_kept) = occupied.plants[other as usize];
-                if other as usize != i {
-                    least = least.min(there.distance(at) / (0.5 * (kept + other_kept)));
-                }
-            }
+        for other in occupied.near(at, plan.widest()).filter(|other| *other as usize != i) {
+            let (there, other_kept) = occupied.plants[other as usize];
+            least = least.min(there.distance(at) / (0.5 * (kept + other_kept)));
         }
     }
     least
@@ -195,4 +194,89 @@ fn what_cannot_be_is_refused_in_no_time() {
     let mut black = plan([4.0, 4.0], vec![kind(1.0, 0.5)]);
     black.map = Some(grey(1, &[0]));
     assert!(refused(black).contains("leave no ground"));
+}
+
+/// A rectangle between two corners.
+fn bed(low: [f32; 2], high: [f32; 2]) -> Area {
+    let corners = [[low[0], low[1]], [high[0], low[1]], high, [low[0], high[1]]];
+    Area::polygon(corners.map(Vec2::from).to_vec()).unwrap()
+}
+
+/// A meadow with a bed of two kinds, rows in another, a hedge across a path, and two trees, one of them on the path.
+fn parterre() -> Plan {
+    let mut kinds =
+        vec![kind(1.0, 0.3), kind(0.5, 0.2), kind(0.5, 0.6), kind(1.0, 0.25), kind(1.0, 0.5), kind(1.0, 3.0)];
+    (kinds[1].bed, kinds[2].bed, kinds[3].bed) = (Some(0), Some(0), Some(1));
+    kinds[3].stands = Stands::Rows { apart: 1.0, angle: 90.0 };
+    kinds[4].stands = Stands::Along(vec![vec![Vec2::new(-9.0, 8.0), Vec2::new(9.0, 8.0)]]);
+    kinds[5].stands = Stands::At(vec![Vec2::new(0.25, 0.0), Vec2::new(7.0, -7.0)]);
+    let mut plan = plan([20.0, 20.0], kinds);
+    plan.beds = vec![bed([-8.0, -8.0], [-2.0, -2.0]), bed([2.0, 2.0], [6.0, 7.0])];
+    plan.paths = vec![Path::new(vec![Vec2::new(0.0, -10.0), Vec2::new(0.0, 10.0)], 1.0).unwrap()];
+    plan
+}
+
+#[test]
+fn beds_rows_lines_and_single_plants_keep_to_their_ground() {
+    let plan = parterre();
+    let places = plan.places(&TILES).unwrap();
+    let of = |kind: u32| places.iter().filter(move |place| place.kind == kind).map(flat);
+    assert!(of(0).all(|at| !plan.beds.iter().any(|bed| bed.contains(at))));
+    assert!(of(1).chain(of(2)).all(|at| plan.beds[0].contains(at)));
+    // Half of the bed's 36 square metres for each.
+    for (kind, spacing) in [(1, 0.2f32), (2, 0.6)] {
+        let share = of(kind).count() as f32 / (TILES.density() * 18.0 / (spacing * spacing));
+        assert!((0.55..1.1).contains(&share), "{kind}: {share}");
+    }
+    // Four rows of twenty, along z.
+    let columns: BTreeSet<i32> = of(3).map(|at| (at.x * 100.0).round() as i32).collect();
+    assert_eq!((columns, of(3).count()), (BTreeSet::from([250, 350, 450, 550]), 80));
+    // Of 37 in the hedge the three on the path and its margin are missing.
+    assert_eq!((of(4).count(), of(4).all(|at| at.y == 8.0)), (34, true));
+    assert_eq!(of(5).collect::<Vec<_>>().len(), 2, "one by one they stand even on a path");
+    let spread: Vec<Place> = places.iter().filter(|place| place.kind < 3).copied().collect();
+    assert!(least_share(&spread, &plan) >= 1.0);
+    let near_tree = of(0).map(|at| at.distance(Vec2::new(7.0, -7.0))).fold(f32::INFINITY, f32::min);
+    assert!((1.65..2.5).contains(&near_tree), "{near_tree}");
+    let wanted = plan.plants(&TILES).unwrap() / places.len() as f64;
+    assert!((1.0..1.4).contains(&wanted), "about as many as are expected: {wanted}");
+}
+
+#[test]
+fn the_shares_of_a_garden_are_all_of_it_in_its_order() {
+    let mut open = plan([31.0, 17.0], vec![kind(0.5, 0.3), kind(0.2, 2.0), kind(0.3, 0.7)]);
+    open.ground = Ground::of_map(grey(2, &[0, 255]), [0.0, 3.0], open.area.bounds());
+    let wide = plan([60.0, 60.0], vec![kind(1.0, 0.3)]);
+    let tree = plan([8.0, 8.0], vec![kind(1.0, 30.0)]);
+    for (plan, least) in [(open, 1000), (wide, 20_000), (parterre(), 1000), (tree, 1)] {
+        let whole = plan.places(&TILES).unwrap();
+        assert!(whole.len() >= least);
+        for of in [1, 2, 5, 64] {
+            let share = |number: u32| {
+                let share = format!("{number}/{of}").parse().unwrap();
+                plan.places_of(&TILES, share).unwrap()
+            };
+            let joined: Vec<Place> = (1..=of).flat_map(share).collect();
+            assert!(joined == whole, "{of} shares: {} plants of {}", joined.len(), whole.len());
+        }
+    }
+}
+
+#[test]
+fn a_bed_that_is_narrower_than_its_distance_has_one_plant() {
+    let mut kinds = vec![kind(1.0, 0.5), kind(1.0, 40.0)];
+    kinds[1].bed = Some(0);
+    let mut plan = plan([10.0, 10.0], kinds);
+    plan.beds = vec![bed([1.0, 1.0], [3.0, 3.0])];
+    let places = plan.places(&TILES).unwrap();
+    let trees: Vec<Vec2> = places.iter().filter(|place| place.kind == 1).map(flat).collect();
+    assert!(trees.len() == 1 && plan.beds[0].contains(trees[0]), "{trees:?}");
+}
+
+#[test]
+fn a_share_of_a_park_that_is_too_large_as_a_whole_is_laid_out_by_itself() {
+    let plan = plan([9000.0, 9000.0], vec![kind(1.0, 0.7)]);
+    assert!(matches!(plan.places(&TILES), Err(PlanError::TooMany { .. })));
+    let share = plan.places_of(&TILES, "5000/9000".parse().unwrap()).unwrap();
+    assert!((10_000..14_000).contains(&share.len()), "{}", share.len());
 }

@@ -4,7 +4,7 @@
 //! ([`Garden::model`]). For GLB each individual is one mesh with all its materials, and each plant one node or one row of a
 //! table ([`Garden::instanced`]).
 
-use super::places::Place;
+use super::plan::Place;
 use super::stock::{Individual, KindStock, Stock};
 use crate::model::{Copies, InstanceGroup, InstancedModel, Mesh, Model, Part, PartKind, Placement, Pose};
 use crate::plant::Material;
@@ -137,7 +137,7 @@ impl Garden {
         let first = materials.len();
         materials.extend(own.iter().cloned());
         let more_materials = (first + 1..first + own.len()).collect();
-        let ground = bare("ground".into(), PartKind::Wood, first);
+        let ground = bare("ground".into(), PartKind::Ground, first);
         (vec![Part { mesh: Arc::new(mesh.clone()), more_materials, ..ground }], materials)
     }
 }
@@ -257,6 +257,7 @@ mod tests {
         assert_eq!(model.check_invariants(), Ok(()));
         assert_eq!(instanced.model.check_invariants(), Ok(()));
         assert_eq!((model.triangle_count(), garden.triangle_count()), (6, 6));
+        assert_eq!(model.parts[0].kind, PartKind::Ground);
         assert_eq!(
             model.parts.iter().map(|part| part.name.as_str()).collect::<Vec<_>>(),
             ["ground", "reed_green", "reed_brown"]

@@ -3,12 +3,14 @@
 //! Files that it names lie beside it. Figures that are left out come from each other: of spacing and density one decides the
 //! other, and without both plants keep half a metre.
 
-use super::area::{Outline, Path as GardenPath};
+use super::area::{self, Area, Outline, Path as GardenPath};
 use super::grey_map::{GreyMap, MapError};
 use super::ground::Ground;
-use super::places::{Kind, Plan, PlanError, Variation};
+use super::ground_mesh::{self, GroundMeshError};
+use super::plan::{Kind, Plan, PlanError, Stands, Variation};
 use super::tiles::TileSet;
 use crate::{input, quote};
+use glam::Vec2;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::io;
@@ -40,6 +42,8 @@ crate::parameters! {
         map: Option<String> = None;
         /// What grows.
         plants: Vec<KindSpec> = Vec::new(), kinds;
+        /// Ground that only some plants are spread over.
+        beds: Vec<BedSpec> = Vec::new();
         /// Where nothing grows.
         paths: Vec<GardenPath> = Vec::new();
         /// What the ground is like.
@@ -48,6 +52,16 @@ crate::parameters! {
         /// How plants of one kind differ.
         variation: Variation = Variation::default();
     }
+}
+
+/// A bed as it is written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BedSpec {
+    /// What plants call it.
+    pub name: String,
+    /// Its ground.
+    pub outline: Outline,
 }
 
 crate::parameter_choice! {
@@ -72,6 +86,8 @@ crate::parameters! {
         others:
         /// Picture of its heights; without one it is level.
         map: Option<String> = None;
+        /// OBJ file of its surface, instead of a picture.
+        mesh: Option<String> = None;
         /// What it is covered with.
         cover: Cover = Cover::Soil;
     }
@@ -92,7 +108,17 @@ crate::parameters! {
         height: f32 = 0.0, 0.0..=200.0, "metres";
         /// Triangles of an individual; 0 for what the number of plants allows.
         triangles: u32 = 0, 0..=10_000_000, "";
+        /// It stands in straight rows so far apart; 0 for none.
+        rows: f32 = 0.0, 0.0..=1e4, "metres";
+        /// How its rows are turned against the x axis, toward z.
+        rows_angle: f32 = 0.0, -360.0..=360.0, "degrees";
         others:
+        /// The bed that it grows in; none for the ground outside of all.
+        bed: Option<String> = None;
+        /// Lines along which it stands.
+        lines: Vec<Vec<Vec2>> = Vec::new(), checked_lines;
+        /// Where single ones of it stand.
+        at: Vec<Vec2> = Vec::new();
         /// A species, by name or by its file.
         species: Option<String> = None;
         /// A drawing, by its file.
@@ -141,6 +167,17 @@ impl KindSpec {
     pub fn of(origin: Origin) -> Self {
         Self { origin, fields: KindFields::default() }
     }
+
+    /// Where its plants stand.
+    fn stands(&self) -> Stands {
+        let KindFields { rows, rows_angle, lines, at, .. } = &self.fields;
+        match (&lines[..], &at[..]) {
+            ([], []) if *rows > 0.0 => Stands::Rows { apart: *rows, angle: *rows_angle },
+            ([], []) => Stands::Spread,
+            ([], at) => Stands::At(at.to_vec()),
+            (lines, _) => Stands::Along(lines.to_vec()),
+        }
+    }
 }
 
 impl TryFrom<KindFields> for KindSpec {
@@ -153,6 +190,10 @@ impl TryFrom<KindFields> for KindSpec {
             fields.model.take().map(Origin::Model),
         ];
         let mut origins = origins.into_iter().flatten();
+        let ways = [fields.rows > 0.0, !fields.lines.is_empty(), !fields.at.is_empty()];
+        if ways.iter().filter(|is_given| **is_given).count() > 1 {
+            return Err("plants stand in one way; give one of `rows`, `lines` and `at`");
+        }
         match (origins.next(), origins.next()) {
             (Some(_), Some(_)) => {
                 Err("plants are made from one thing; give one of `species`, `drawing` and `model`")
@@ -174,6 +215,12 @@ fn kinds<'de, D: Deserializer<'de>>(source: D) -> Result<Vec<KindSpec>, D::Error
             .map_err(|reason| D::Error::custom(format!("[[plants]] number {number}: {reason}")))
     };
     all.map(kind).collect()
+}
+
+fn checked_lines<'de, D: Deserializer<'de>>(source: D) -> Result<Vec<Vec<Vec2>>, D::Error> {
+    let lines = Vec::<Vec<Vec2>>::deserialize(source)?;
+    lines.iter().try_for_each(|line| area::check_line(line, "a line of plants")).map_err(D::Error::custom)?;
+    Ok(lines)
 }
 
 /// A garden that cannot be laid out.
@@ -226,6 +273,38 @@ pub enum GardenError {
         /// The picture.
         file: PathBuf,
     },
+    /// A file of the ground's surface cannot be used.
+    #[error("the ground: {}: {fault}", .file.display())]
+    GroundMesh {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong with it.
+        fault: GroundMeshError,
+    },
+    /// Two files say how high the ground is.
+    #[error("the ground has a picture and a mesh; give one of `map` and `mesh`")]
+    TwoGrounds,
+    /// Two beds have one name.
+    #[error("two beds are called `{0}`; give each a name of its own")]
+    TwoBeds(String),
+    /// Plants grow in a bed that there is not.
+    #[error("{whose}: there is no bed `{bed}`{known}")]
+    NoBed {
+        /// Whose bed it should be.
+        whose: String,
+        /// What it is called.
+        bed: String,
+        /// Which ones there are.
+        known: String,
+    },
+    /// A plant stands beside the garden.
+    #[error("{whose}: the plant at [{}, {}] stands outside of the area; move it, or make the area larger", .at.x, .at.y)]
+    Outside {
+        /// Whose plant it is.
+        whose: String,
+        /// Where.
+        at: Vec2,
+    },
     /// The plants do not stand as they should.
     #[error(transparent)]
     Plan(#[from] PlanError),
@@ -263,15 +342,25 @@ impl GardenSpec {
             origin => Some(origin.name()),
         });
         let maps = self.plants.iter().filter_map(|kind| kind.fields.map.as_deref());
-        let own = [&self.map, &self.ground.map].into_iter().filter_map(Option::as_deref);
+        let own = [&self.map, &self.ground.map, &self.ground.mesh].into_iter().filter_map(Option::as_deref);
         origins.chain(maps).chain(own).map(|file| folder.join(file)).collect()
     }
 
-    /// What shares that were given sum to, where that is not 1.
+    /// What shares that were given sum to in the first bed, or outside of all, where that is not 1.
     pub fn uneven_shares(&self) -> Option<f32> {
-        let shares = || self.plants.iter().map(|kind| kind.fields.share);
-        let sum: f32 = shares().sum();
-        (shares().all(|share| share > 0.0) && (sum - 1.0).abs() > 0.01).then_some(sum)
+        let uneven = |bed: Option<&str>| {
+            let shares = || self.spread_over(bed).map(|kind| kind.fields.share);
+            let sum: f32 = shares().sum();
+            let are_given = shares().count() > 0 && shares().all(|share| share > 0.0);
+            (are_given && (sum - 1.0).abs() > 0.01).then_some(sum)
+        };
+        std::iter::once(None).chain(self.beds.iter().map(|bed| Some(&*bed.name))).find_map(uneven)
+    }
+
+    /// The kinds that are spread over a bed, or over the ground outside of all.
+    fn spread_over<'a>(&'a self, bed: Option<&'a str>) -> impl Iterator<Item = &'a KindSpec> {
+        let is_there = move |kind: &&KindSpec| kind.fields.bed.as_deref() == bed;
+        self.plants.iter().filter(is_there).filter(|kind| kind.stands() == Stands::Spread)
     }
 
     /// The garden's plan, with the maps that it names.
@@ -289,20 +378,20 @@ impl GardenSpec {
             (spacing, _) => spacing,
         };
         let or = |value: f32, other: f32| if value > 0.0 { value } else { other };
-        let kinds = self.plants.iter().map(|KindSpec { origin, fields }| {
+        let kinds = self.plants.iter().map(|kind| {
+            let (name, fields, stands) = (kind.origin.name(), &kind.fields, kind.stands());
             let map = fields.map.as_ref();
-            let map = map.map(|map| density_map(origin.name(), &folder.join(map))).transpose()?;
+            let map = map.map(|map| density_map(name, &folder.join(map))).transpose()?;
             let variants = if fields.variants > 0 { fields.variants } else { self.variants };
-            let share = or(fields.share, 1.0 / self.plants.len() as f32);
-            Ok(Kind { share, spacing: or(fields.spacing, spacing), variants, map })
-        });
-        let ground = match &self.ground.map {
-            None => Ground::default(),
-            Some(map) => {
-                let map = read_map("the ground", &folder.join(map))?;
-                Ground::of_map(map, [self.ground.low, self.ground.high], area.bounds())
+            let others = self.spread_over(fields.bed.as_deref()).count();
+            let share = or(fields.share, 1.0 / others.max(1) as f32);
+            let bed = fields.bed.as_ref().map(|bed| self.bed(name, bed)).transpose()?;
+            if let Some(&at) = fields.at.iter().find(|at| !area.contains(**at)) {
+                return Err(GardenError::Outside { whose: quote::name(name), at });
             }
-        };
+            Ok(Kind { share, spacing: or(fields.spacing, spacing), variants, map, bed, stands })
+        });
+        let ground = self.ground(&area, folder)?;
         let map = self.map.as_ref().map(|map| density_map("the garden", &folder.join(map))).transpose()?;
         Ok(Plan {
             seed: self.seed,
@@ -310,10 +399,53 @@ impl GardenSpec {
             map,
             ground,
             paths: self.paths.clone(),
+            beds: self.areas_of_beds()?,
             kinds: kinds.collect::<Result<_, GardenError>>()?,
             variation: self.variation.clone(),
             area,
         })
+    }
+}
+
+impl GardenSpec {
+    /// How high the ground is.
+    fn ground(&self, area: &Area, folder: &Path) -> Result<Ground, GardenError> {
+        let GroundSpec { map, mesh, low, high, .. } = &self.ground;
+        let (map, range) = match (map, mesh) {
+            (None, None) => return Ok(Ground::default()),
+            (Some(_), Some(_)) => return Err(GardenError::TwoGrounds),
+            (Some(map), None) => (read_map("the ground", &folder.join(map))?, [*low, *high]),
+            (None, Some(mesh)) => {
+                let file = folder.join(mesh);
+                let fault = |fault| GardenError::GroundMesh { file: file.clone(), fault };
+                ground_mesh::read(&file, area).map_err(fault)?
+            }
+        };
+        Ok(Ground::of_map(map, range, area.bounds()))
+    }
+
+    /// The number of a bed.
+    fn bed(&self, whose: &str, name: &str) -> Result<usize, GardenError> {
+        let names: Vec<&str> = self.beds.iter().map(|bed| &*bed.name).collect();
+        names.iter().position(|bed| *bed == name).ok_or_else(|| GardenError::NoBed {
+            whose: quote::name(whose),
+            bed: quote::name(name),
+            known: match &names[..] {
+                [] => "; add a section [[beds]] with this name and an outline".to_owned(),
+                names => format!("; there are {}", quote::name(&names.join(", "))),
+            },
+        })
+    }
+
+    /// The grounds of all beds.
+    fn areas_of_beds(&self) -> Result<Vec<Area>, GardenError> {
+        let is_twice = |(number, bed): &(usize, &BedSpec)| {
+            self.beds[..*number].iter().any(|other| other.name == bed.name)
+        };
+        if let Some((_, bed)) = self.beds.iter().enumerate().find(is_twice) {
+            return Err(GardenError::TwoBeds(quote::name(&bed.name)));
+        }
+        self.beds.iter().map(|bed| bed.outline.area().map_err(GardenError::Area)).collect()
     }
 }
 
@@ -366,6 +498,32 @@ mod tests {
         assert!(refused("[[paths]]\npoints = [[0, 0]]\nwidth = 1").contains("2 to"));
         assert!(refused("area = [[0, 0], [4, 4], [4, 0], [0, 3]]").contains("cross"));
         assert!(refused("area = ").contains("line 1"));
+    }
+
+    #[test]
+    fn beds_rows_lines_and_single_plants_are_read() {
+        let text = "area = \"20x10\"\n[[beds]]\nname = \"round\"\noutline = [[1, 1], [4, 1], [4, 4]]\n\
+                    [[plants]]\nspecies = \"rose\"\nbed = \"round\"\nrows = 0.8\nrows_angle = 20\n\
+                    [[plants]]\nspecies = \"daisy\"\n[[plants]]\nspecies = \"lavender\"\nlines = [[[-5, 0], [5, 0]]]\n\
+                    [[plants]]\nspecies = \"oak\"\nat = [[0, 1], [5, -2]]\n";
+        let spec = GardenSpec::from_toml(text, "a.toml").unwrap();
+        let plan = spec.plan(&TileSet::new(1, 1), Path::new("")).unwrap();
+        assert_eq!(plan.kinds[0].bed, Some(0));
+        assert_eq!(plan.kinds[0].stands, Stands::Rows { apart: 0.8, angle: 20.0 });
+        assert_eq!((&plan.kinds[1].stands, plan.kinds[1].share), (&Stands::Spread, 1.0));
+        assert!(matches!(&plan.kinds[2].stands, Stands::Along(lines) if lines[0].len() == 2));
+        assert_eq!(plan.kinds[3].stands, Stands::At(vec![Vec2::new(0.0, 1.0), Vec2::new(5.0, -2.0)]));
+        let laid_out = |text: &str| {
+            let spec = GardenSpec::from_toml(text, "a.toml").unwrap();
+            spec.plan(&TileSet::new(1, 1), Path::new("")).unwrap_err().to_string()
+        };
+        let lost = laid_out(&text.replace("bed = \"round\"", "bed = \"square\""));
+        assert_eq!(lost, "rose: there is no bed `square`; there are round");
+        assert!(laid_out(&text.replace("[5, -2]", "[15, -2]")).contains("oak: the plant at [15, -2]"));
+        let twice = format!("{text}[[beds]]\nname = \"round\"\noutline = \"1x1\"\n");
+        assert!(laid_out(&twice).contains("two beds are called `round`"));
+        assert!(refused(&format!("{text}rows = 2")).contains("give one of `rows`, `lines` and `at`"));
+        assert!(refused(&text.replace("[[-5, 0], [5, 0]]", "[[-5, 0]]")).contains("2 to"));
     }
 
     #[test]

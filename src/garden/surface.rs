@@ -7,7 +7,7 @@
 //! Limits: corners of the area and ends of paths are as sharp as the grid is fine; holes narrower than a cell are overlooked.
 
 use super::ground::Ground;
-use super::places::Plan;
+use super::plan::Plan;
 use super::spec::Cover;
 use crate::budget::GardenBudget;
 use crate::model::{Mesh, Vertex};
@@ -30,7 +30,14 @@ const GRAVEL: [f32; 3] = [0.27, 0.22, 0.16];
 pub fn slab(plan: &Plan, cover: Cover) -> Option<(Mesh, Vec<Material>)> {
     let beside = |p: Vec2| plan.paths.iter().map(|path| path.beside(p)).fold(f32::INFINITY, f32::min);
     let depth = |p: Vec2| plan.area.depth(p);
-    let layers = if plan.paths.is_empty() { Vec::new() } else { vec![Layer::gravel(&beside)] };
+    let outside_beds = |p: Vec2| plan.beds.iter().map(|bed| -bed.depth(p)).fold(f32::INFINITY, f32::min);
+    let mut layers = Vec::new();
+    if !plan.beds.is_empty() && cover != Cover::Soil {
+        layers.push(Layer::soil(&outside_beds));
+    }
+    if !plan.paths.is_empty() {
+        layers.push(Layer::gravel(&beside));
+    }
     let is_plain = layers.is_empty() && plan.ground.is_level() && plan.area.fills_box();
     let ground = Terrain {
         bounds: plan.area.bounds(),
@@ -348,7 +355,8 @@ mod tests {
     fn plan(corners: &[[f32; 2]], paths: Vec<Path>, ground: Ground) -> Plan {
         let area = Area::polygon(corners.iter().copied().map(Vec2::from).collect()).unwrap();
         let variation = Default::default();
-        Plan { seed: 1, area, density: None, map: None, ground, paths, kinds: Vec::new(), variation }
+        let (beds, kinds) = (Vec::new(), Vec::new());
+        Plan { seed: 1, area, density: None, map: None, ground, paths, beds, kinds, variation }
     }
 
     const SQUARE: [[f32; 2]; 4] = [[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]];

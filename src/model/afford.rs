@@ -10,7 +10,7 @@ use super::build::size_of;
 use super::card;
 use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::params::ModelParams;
-use super::solids::SolidParams;
+use super::solids::{self, SolidParams};
 use super::spike;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};
@@ -189,16 +189,17 @@ fn of_wood(plant: &Plant, params: &TubeParams, size: f32, rings: &Rings) -> u64 
 fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
     let counted = counted_templates(plant, &params.blade);
     let solid = &params.solid;
-    let [sides, rows] = [solid.sides, solid.dome_rows].map(u64::from);
+    let sides = |radius: f32| u64::from(solids::sides(solids::is_large(radius), solid));
+    let rows = u64::from(solid.dome_rows);
     let of_organ = |shape: &Shape| match shape {
         Shape::Blade(blade) => {
             let counted = counted[blade.template.index()];
             counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
-        Shape::Dome { .. } => 2 * sides * (rows + 1),
+        Shape::Dome { radius, .. } => 2 * sides(*radius) * (rows + 1),
         Shape::Card { .. } => card::TRIANGLES,
         Shape::Spike { .. } => spike::TRIANGLES,
-        Shape::Lathe { profile, .. } => 2 * sides * profile.len() as u64,
+        Shape::Lathe { profile, .. } => 2 * sides(solids::widest(profile)) * profile.len() as u64,
         Shape::Filament { points, head, .. } => {
             let head = if head.x > 0.0 { u64::from(solid.head_sides * solid.head_rows) } else { 0 };
             2 * (u64::from(solid.filament_sides) * (points.len() as u64 + 1) + head)

@@ -108,6 +108,8 @@ pub enum PartKind {
     Wood,
     /// Anything that grows on one.
     Organ(OrganKind),
+    /// The ground of a garden.
+    Ground,
 }
 
 /// One connected piece of the plant.
@@ -215,6 +217,16 @@ impl Model {
     /// Triangles over all parts, every copy counted.
     pub fn triangle_count(&self) -> usize {
         self.parts.iter().map(Part::triangle_count).sum()
+    }
+
+    /// Height of the lowest place of its ground that is seen from above, metres; `None` without ground.
+    pub fn ground_level(&self) -> Option<f32> {
+        let grounds = self.parts.iter().filter(|part| part.kind == PartKind::Ground).map(|part| &*part.mesh);
+        let upper = |mesh: &'_ Mesh| {
+            let upper = mesh.vertices.iter().filter(|vertex| vertex.normal.y > 0.1);
+            upper.map(|vertex| mesh.points[vertex.point as usize].y).reduce(f32::min)
+        };
+        grounds.filter_map(upper).reduce(f32::min)
     }
 
     /// Smallest and largest corner over all parts, `None` for an empty model.

@@ -229,8 +229,8 @@ fn shapes(
         };
         match original {
             Original::Blade(id, blade) => recipe.shape(&shapes::upright(blade), of_blade(*id)?.0),
-            Original::Dome(proportion) => recipe.solid_shape(false, *proportion),
-            Original::Head(proportion) => recipe.solid_shape(true, *proportion),
+            Original::Dome(proportion, is_large) => recipe.dome_shape(*proportion, *is_large),
+            Original::Head(proportion) => recipe.head_shape(*proportion),
             Original::Card(window) => recipe.card_shape(window),
         }
         let hash = recipe.hash();
@@ -238,7 +238,9 @@ fn shapes(
             Original::Blade(id, blade) => {
                 blade::shape(&shapes::upright(blade), of_blade(*id)?.1, &params.blade, scratch)
             }
-            Original::Dome(proportion) => CopyShape::solid(solids::dome(*proportion, &params.solid)),
+            Original::Dome(proportion, is_large) => {
+                CopyShape::solid(solids::dome(*proportion, *is_large, &params.solid))
+            }
             Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),
             Original::Card(window) => Some(card::shape(*window)),
         })?;

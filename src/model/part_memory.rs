@@ -121,7 +121,7 @@ mod tests {
         let search = memory.search(numbers.len());
         let (mut recipe, mut new) = (Recipe::default(), Vec::new());
         let mut part = |(part, number): (usize, &u8)| {
-            recipe.solid_shape(false, Proportion::of(1.0, f32::from(*number)).unwrap());
+            recipe.dome_shape(Proportion::of(1.0, f32::from(*number)).unwrap(), false);
             let made = search.find(part, &recipe).unwrap_or_else(|| {
                 new.push(*number);
                 Made::new(&recipe, Arc::default())

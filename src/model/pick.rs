@@ -56,6 +56,7 @@ pub fn pick(model: &Model, plant: &Plant, ray: &Ray) -> Option<Picked> {
         PartKind::Organ(kind) => {
             nearest(&plant.organs, |organ| off_organ(plant, organ, kind, at)).map(Element::Organ)
         }
+        PartKind::Ground => None,
     };
     element.map(|element| Picked { element, distance })
 }

@@ -95,9 +95,14 @@ impl<'a> Recipe<'a> {
         self.begin(3).blade(upright, TemplateName::Flat(flat));
     }
 
-    /// The recipe of the shape of a dome or of a head of these proportions.
-    pub(super) fn solid_shape(&mut self, is_head: bool, proportion: Proportion) {
-        self.begin(if is_head { 5 } else { 4 }).real(proportion.height());
+    /// The recipe of the shape of a dome of these proportions that is large, or not.
+    pub(super) fn dome_shape(&mut self, proportion: Proportion, is_large: bool) {
+        self.begin(4).real(proportion.height()).word(u32::from(is_large));
+    }
+
+    /// The recipe of the shape of a head of these proportions.
+    pub(super) fn head_shape(&mut self, proportion: Proportion) {
+        self.begin(5).real(proportion.height());
     }
 
     /// The recipe of the shape of cards with this window.

@@ -9,7 +9,7 @@
 use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use super::solids::{Proportion, Stand};
+use super::solids::{self, Proportion, Stand};
 use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ pub(super) const THINNEST: f32 = 4e-6;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Blade(TemplateId, [u32; 8], Option<usize>),
-    Dome(Proportion),
+    Dome(Proportion, bool),
     Head(Proportion),
     Card([u32; 4]),
 }
@@ -33,8 +33,8 @@ enum Key {
 pub(super) enum Original<'a> {
     /// The first blade that has it, with the place of its template.
     Blade(TemplateId, ResolvedBlade<'a>),
-    /// The height of a dome in radii.
-    Dome(Proportion),
+    /// The height of a dome in radii, and whether it is large.
+    Dome(Proportion, bool),
     /// The half length of a head in radii.
     Head(Proportion),
     /// What part of its picture a card shows.
@@ -138,7 +138,8 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
         }
         Shape::Dome { radius, height, .. } => {
             let proportion = Proportion::of(*radius, *height)?;
-            Some((Key::Dome(proportion), Original::Dome(proportion)))
+            let is_large = solids::is_large(*radius);
+            Some((Key::Dome(proportion, is_large), Original::Dome(proportion, is_large)))
         }
         Shape::Filament { head, .. } => {
             let proportion = Proportion::of(head.x, head.y)?;

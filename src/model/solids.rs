@@ -15,7 +15,7 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 crate::parameters! {
     /// How finely receptacles, fruits and pots are modelled.
     pub struct SolidParams {
-        /// Sides of domes, fruits and pots.
+        /// Sides of domes, fruits and pots; large ones have 8 at least.
         sides: u32 = 14, 3..=128, "";
         /// Rows of a dome between edge and top.
         dome_rows: u32 = 4, 1..=64, "";
@@ -28,6 +28,9 @@ crate::parameters! {
     }
 }
 
+/// Bodies of this radius and more, metres, have at least so many sides: with fewer the disc of a sunflower is seen as a polygon, while a
+/// coarse plant may have hundreds of florets whose receptacles need none.
+const LARGE: (f32, u32) = (12e-3, 8);
 /// Profiles that turn by more than the angle of this cosine have a crease.
 const CREASE: f32 = 0.75;
 
@@ -64,6 +67,21 @@ impl Stand {
     }
 }
 
+/// Whether a body of this radius, metres, keeps more sides than small ones.
+pub(super) fn is_large(radius: f32) -> bool {
+    radius >= LARGE.0
+}
+
+/// How many sides bodies have that are large, or not.
+pub(super) fn sides(is_large: bool, params: &SolidParams) -> u32 {
+    if is_large { params.sides.max(LARGE.1) } else { params.sides }
+}
+
+/// The largest radius of a profile.
+pub(super) fn widest(profile: &[Vec2]) -> f32 {
+    profile.iter().map(|point| point.x.abs()).fold(0.0, f32::max)
+}
+
 /// The height of a body in its radii: what bodies have in common that differ only in size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Proportion(u32);
@@ -84,12 +102,12 @@ impl Proportion {
 /// Upright at the origin.
 const UPRIGHT: Stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
 
-/// A half ellipsoid of radius 1, upright at the origin and closed underneath.
-pub(super) fn dome(proportion: Proportion, params: &SolidParams) -> Mesh {
+/// A half ellipsoid of radius 1, upright at the origin and closed underneath, for domes that are large, or not.
+pub(super) fn dome(proportion: Proportion, is_large: bool, params: &SolidParams) -> Mesh {
     let (rows, size) = (params.dome_rows, Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * size);
     let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
-    revolved(UPRIGHT, &profile, params.sides, Projection::Planar)
+    revolved(UPRIGHT, &profile, sides(is_large, params), Projection::Planar)
 }
 
 /// An ellipsoid of radius 1 around the origin, its axis upright; the proportion is that of its half length.
@@ -103,7 +121,7 @@ pub(super) fn head(proportion: Proportion, params: &SolidParams) -> Mesh {
 
 /// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
 pub(super) fn lathe(stand: Stand, profile: &[Vec2], params: &SolidParams) -> Mesh {
-    revolved(stand, profile, params.sides, Projection::Cylindrical)
+    revolved(stand, profile, sides(is_large(widest(profile)), params), Projection::Cylindrical)
 }
 
 fn revolved(stand: Stand, profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {
@@ -247,7 +265,7 @@ mod tests {
 
     #[test]
     fn a_dome_has_its_texture_from_above() {
-        let mesh = dome(proportion(0.5), &SolidParams::default());
+        let mesh = dome(proportion(0.5), false, &SolidParams::default());
         mesh.check_invariants().unwrap();
         for vertex in &mesh.vertices {
             let p = mesh.points[vertex.point as usize];

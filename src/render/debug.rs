@@ -20,6 +20,8 @@ const TINT_LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout 
 
 /// Colours of branches by level, the last for all further levels.
 const WOOD: [[u8; 3]; 5] = [[140, 86, 46], [201, 128, 52], [222, 170, 74], [232, 200, 112], [240, 220, 150]];
+/// Colour of a garden's ground.
+const GROUND: [u8; 3] = [120, 130, 112];
 /// How much parts of one kind differ in brightness, of 256.
 const VARIETY: u32 = 56;
 
@@ -28,6 +30,7 @@ pub(super) fn tint(kind: PartKind, level: usize, name: &str) -> Tint {
     let base = match kind {
         PartKind::Wood => WOOD[level.min(WOOD.len() - 1)],
         PartKind::Organ(organ) => organ.tint(),
+        PartKind::Ground => GROUND,
     };
     let number = fnv1a(name);
     let brightness = 256 - (number >> 8) % VARIETY;

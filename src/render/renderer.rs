@@ -47,13 +47,15 @@ pub struct ModelDrawData {
     surface: SurfaceDrawData,
     points: Vec<Vec3>,
     bounds: (Vec3, Vec3),
+    /// Height of its own ground.
+    ground: Option<f32>,
 }
 
 impl ModelDrawData {
     /// The same model, framed and lit as if it were another: for pictures that follow one another.
     #[must_use]
     pub fn framed_as(self, other: &Self) -> Self {
-        Self { points: other.points.clone(), bounds: other.bounds, ..self }
+        Self { points: other.points.clone(), bounds: other.bounds, ground: other.ground, ..self }
     }
 }
 
@@ -161,7 +163,7 @@ impl Renderer {
         let surface = SurfaceDrawData::new(&self.gpu, &self.materials, model, textures)?;
         self.gpu.check()?;
         let points = model.parts.iter().flat_map(Part::points).collect();
-        Ok(ModelDrawData { surface, points, bounds })
+        Ok(ModelDrawData { surface, points, bounds, ground: model.ground_level() })
     }
 
     /// One picture of a model.
@@ -219,7 +221,7 @@ impl Renderer {
         options: PictureOptions,
     ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
         seen.map(move |(camera, axes)| {
-            let frame = FrameUniform::new(&camera, model.bounds, options.background);
+            let frame = FrameUniform::new(&camera, model.bounds, (options.background, model.ground));
             let light = LightUniform::new(model.bounds, &axes, &LightParams::default(), SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)
         })

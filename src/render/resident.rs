@@ -80,6 +80,8 @@ pub(super) struct ResidentModel {
     pub(super) surface: SurfaceDrawData,
     /// Smallest and largest corner; none without parts.
     pub(super) bounds: Option<(Vec3, Vec3)>,
+    /// Height of its own ground.
+    pub(super) ground: Option<f32>,
     /// Grows with every change.
     pub(super) version: u64,
     /// Edges with their tints, and the version they belong to.
@@ -125,6 +127,7 @@ impl ResidentModel {
         }
         let boxes = self.residents.iter().map(|r| r.bounds).chain(self.copies.iter().map(|c| c.bounds));
         let boxes = boxes.filter(|(lo, _)| lo.is_finite());
+        self.ground = model.ground_level();
         self.bounds = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
         gpu.check()?;
         Ok(stats)

@@ -280,7 +280,8 @@ impl Viewport {
         look: &Look,
     ) {
         let bounds = self.model.bounds.unwrap_or(NOTHING);
-        let frame = FrameUniform::new(&camera.camera(bounds, self.aspect()), bounds, look.background);
+        let ground = (look.background, self.model.ground);
+        let frame = FrameUniform::new(&camera.camera(bounds, self.aspect()), bounds, ground);
         let lit = match look.quality {
             Quality::Draft => &mut self.draft,
             Quality::Full => &mut self.full,

@@ -82,6 +82,7 @@ pub(super) fn is_wanted(choice: &ExportChoice, kind: PartKind) -> bool {
     match kind {
         PartKind::Wood => choice.branches,
         PartKind::Organ(organ) => choice.has(organ),
+        PartKind::Ground => true,
     }
 }
 

@@ -1,0 +1,120 @@
+//! Plants that stand where they are put: one by one, along lines, and in straight rows through a bed.
+//!
+//! Along a line plants are as far apart as their kind keeps, the last ones at both its ends with a little more room between all. Rows lie
+//! in the middle of their bed, and so do the plants of a row over the bed's breadth.
+//!
+//! Limits: plants at a line's corners are nearer to each other than along it; rows are straight, and turned at random as all plants are.
+
+use super::plan::{Kind, Place, Plan, Stands};
+use crate::geom::polyline;
+use crate::random::Choice;
+use glam::Vec2;
+
+/// How many plants are put, at most.
+pub(super) fn count(plan: &Plan) -> f64 {
+    let of = |kind: &Kind| {
+        let spacing = f64::from(kind.spacing);
+        match &kind.stands {
+            Stands::Spread => 0.0,
+            Stands::At(points) => points.len() as f64,
+            Stands::Along(lines) => {
+                lines.iter().map(|line| f64::from(polyline::length(line)) / spacing + 1.0).sum()
+            }
+            Stands::Rows { apart, .. } => {
+                let (low, high) = plan.bounds_of(kind.bed);
+                // The box is looked through to its corners.
+                2.0 * f64::from((high - low).length_squared()) / (spacing * f64::from(*apart)) + 1.0
+            }
+        }
+    };
+    plan.kinds.iter().map(of).sum()
+}
+
+/// The plants that are put within a box, kind by kind.
+pub(super) fn placed(plan: &Plan, (low, high): (Vec2, Vec2)) -> Vec<Place> {
+    let mut places = Vec::new();
+    for (kind, number) in plan.kinds.iter().zip(0..) {
+        let is_near = |at: &Vec2| at.cmpge(low).all() && at.cmple(high).all();
+        let is_free = |at: &Vec2| kind.bed.is_none_or(|bed| plan.is_in_bed(Some(bed), *at));
+        let stays = |at: &Vec2| !plan.is_on_path(*at) && !is_thinned(plan, kind, *at);
+        let mut put = |at: Vec2| places.push(plan.plant(number, at, plan.spot(at)));
+        match &kind.stands {
+            Stands::Spread => {}
+            Stands::At(points) => points.iter().copied().filter(is_near).for_each(put),
+            Stands::Along(lines) => {
+                let points = lines.iter().flat_map(|line| along(line, kind.spacing)).filter(is_near);
+                points.filter(|at| plan.area.contains(*at) && is_free(at) && stays(at)).for_each(put);
+            }
+            Stands::Rows { apart, angle } => {
+                let axis = Vec2::from_angle(angle.to_radians());
+                rows(plan.bounds_of(kind.bed), axis, Vec2::new(kind.spacing, *apart), |at| {
+                    if is_near(&at) && plan.is_in_bed(kind.bed, at) && stays(&at) {
+                        put(at);
+                    }
+                });
+            }
+        }
+    }
+    places
+}
+
+/// Whether a map takes a plant away.
+fn is_thinned(plan: &Plan, kind: &Kind, at: Vec2) -> bool {
+    let left = plan.value(plan.map.as_ref(), at) * plan.value(kind.map.as_ref(), at);
+    Choice::PLANT.unit(plan.spot(at)) >= left
+}
+
+/// Points along a line from end to end, at least so far apart.
+fn along(line: &[Vec2], spacing: f32) -> Vec<Vec2> {
+    let arcs = polyline::arc_lengths(line.iter().copied());
+    let length = arcs.last().copied().unwrap_or_default();
+    let steps = (length / spacing + 1e-3).floor().max(1.0);
+    // The end of a closed line is its beginning.
+    let is_closed = line.first() == line.last();
+    let count = if length < spacing { 1 } else { steps as usize + usize::from(!is_closed) };
+    let point = |k: usize| polyline::interpolate(line, polyline::locate(&arcs, length * k as f32 / steps));
+    (0..count).map(point).collect()
+}
+
+/// Hands on points in rows over a box: so far apart along an axis and across it.
+fn rows((low, high): (Vec2, Vec2), axis: Vec2, apart: Vec2, mut take: impl FnMut(Vec2)) {
+    let middle = (low + high) / 2.0;
+    let half = (high - low) / 2.0;
+    // Half the box's extent along the axis and across it.
+    let reach = Vec2::new(half.dot(axis.abs()), half.dot(axis.perp().abs()));
+    let counts = (2.0 * reach / apart + 1e-3).floor().max(Vec2::ONE).as_u64vec2();
+    let place = |k: u64, count: u64, apart: f32| (k as f32 - 0.5 * (count - 1) as f32) * apart;
+    for row in 0..counts.y {
+        for k in 0..counts.x {
+            let at = Vec2::new(place(k, counts.x, apart.x), place(row, counts.y, apart.y));
+            take(middle + axis * at.x + axis.perp() * at.y);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plants_stand_along_a_line_from_end_to_end() {
+        let line = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(3.0, 2.0)];
+        let points = along(&line, 0.9);
+        assert_eq!(points.len(), 6);
+        assert!(points[0] == line[0] && points[5].distance(line[2]) < 1e-6);
+        assert!(points[..4].windows(2).all(|two| (two[0].distance(two[1]) - 1.0).abs() < 1e-5), "{points:?}");
+        assert_eq!(along(&line, 40.0), [Vec2::ZERO]);
+        let around = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y, Vec2::ZERO];
+        assert_eq!(along(&around, 0.5).len(), 8);
+    }
+
+    #[test]
+    fn rows_lie_in_the_middle_of_their_bed() {
+        let mut points = Vec::new();
+        rows((Vec2::ZERO, Vec2::new(4.0, 3.0)), Vec2::X, Vec2::new(0.5, 1.5), |at| points.push(at));
+        assert_eq!((points.len(), points[0], points[15]), (16, Vec2::new(0.25, 0.75), Vec2::new(3.75, 2.25)));
+        let mut turned = Vec::new();
+        rows((Vec2::ZERO, Vec2::splat(2.0)), Vec2::Y, Vec2::new(1.0, 2.0), |at| turned.push(at));
+        assert!(turned.len() == 2 && turned.iter().all(|at| (at.x - 1.0).abs() < 1e-6), "{turned:?}");
+    }
+}
