@@ -17,7 +17,7 @@ import pathlib
 import subprocess
 import sys
 
-START, END = b'"plants":[\n', b"\n]}\n"
+START, END = b'"plants":[', b"\n]}\n"
 
 
 def make(program, spec, share, shares, file, options):
@@ -35,15 +35,15 @@ def make(program, spec, share, shares, file, options):
 def join(files, out):
     """Writes the list of the whole garden from the lists of its shares, one in memory at a time."""
     with open(out, "wb") as whole:
-        is_empty = True
+        between = b""
         for file in files:
             head, _, plants = file.read_bytes().partition(START)
             plants = plants.removesuffix(END)
             if file == files[0]:
                 whole.write(head + START)
             if plants:
-                whole.write((b"" if is_empty else b",\n") + plants)
-                is_empty = False
+                whole.write(between + plants)
+                between = b","
         whole.write(END)
 
 

@@ -58,6 +58,25 @@ fn assert_sound(built: &Built) {
 }
 
 #[test]
+fn all_plants_have_the_time_of_the_year_of_the_drawing() {
+    let at = |season: Option<f32>| {
+        let mut sketch = with(vec![grown("hazel", 6.0, [700.0, 900.0], Some(500.0))]);
+        let time = season.map(|time| ("season".to_owned(), serde_json::json!({ "time": time })));
+        sketch.params.extend(time);
+        sketch
+    };
+    let organs = |built: &Built| built.beside[0].as_ref().unwrap().organs.len();
+    let (summer, winter) = (build(&at(None)), build(&at(Some(4.9))));
+    assert!(organs(&summer) > 50 && organs(&winter) < organs(&summer) / 4, "{}", organs(&winter));
+    // What was kept of one time is not what is shown at another.
+    let mut cache = Cache::default();
+    for season in [Some(4.9), None, Some(3.0), Some(4.9)] {
+        let fresh = build(&at(season));
+        assert!(build_with(&mut cache, &at(season)).model == fresh.model, "{season:?}");
+    }
+}
+
+#[test]
 fn a_grown_plant_stands_behind_the_drawn_one_as_it_is_alone() {
     let (drawn, hazel) = (build(&daisy()), alone("hazel", 3.0));
     let both = build(&with(vec![grown("hazel", 3.0, [700.0, 900.0], Some(500.0))]));

@@ -374,6 +374,11 @@ fn write_all(args: &Args, plan: &Plan, garden: &Garden, sources: &Sources) -> Re
     let plant = (&plant, &provenance);
     let mut bytes = 0;
     for out in &args.out {
+        let is_list = write::format_of(out).is_ok_and(|format| format.takes() == Takes::Plant);
+        if garden.places.is_empty() && !is_list {
+            tracing::warn!("{} is not written: nothing would be in it", out.display());
+            continue;
+        }
         if is_picture(out) {
             let model = whole.get_or_insert_with(|| garden.model());
             bytes += match args.walk {
@@ -545,6 +550,10 @@ mod tests {
         let glb = load(&write("1.glb".into(), "--area 4x3 --shard 1/1")).unwrap().model;
         assert!(glb.parts.iter().all(|part| !part.name.starts_with("ground")));
         assert!(parse("penstemon garden rose --area 4x4 --shard 5/4 -o a.glb").is_err());
+        // Of one square 63 of 64 shares have nothing.
+        let empty = write("empty.json".into(), "--area 4x4 --shard 1/64");
+        assert!(std::fs::read_to_string(empty).unwrap().ends_with("\"plants\":[\n]}\n"));
+        assert!(!write("empty.glb".into(), "--area 4x4 --shard 1/64").exists());
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! keep more come first; a spot of a later lattice stays free that is nearer to a plant that is there than the mean of both
 //! distances.
 //!
-//! The places are in the order of squares of the plan ([`Squares`]). A share of them is found by itself, from its own squares and as much
+//! The places are in the order of squares of the plan (`share`). A share of them is found by itself, from its own squares and as much
 //! around them as distances reach ([`Plan::places_of`]).
 //!
 //! Source: 004 §3.3; beds, rows and shares are ours.

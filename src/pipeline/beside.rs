@@ -4,8 +4,8 @@
 //! What one of them depends on is its own entry, its place in the world and its share of the budget. While these stay, it
 //! is kept whole; while only its place, size or age changes, it does not grow anew.
 //!
-//! Limits: parameters and textures of the drawing are those of the drawn plant alone; species are built-in ones. When the
-//! drawing's scale changes, the surfaces of all plants are made anew.
+//! Limits: parameters and textures of the drawing are those of the drawn plant alone, but for the time of the year, which all have;
+//! species are built-in ones. When the drawing's scale changes, the surfaces of all plants are made anew.
 
 use super::alone;
 use super::clock::Clock;
@@ -49,6 +49,8 @@ struct Request {
     maker: Maker,
     placing: Placing,
     budget: Budget,
+    /// The time of the year; none for that of its species.
+    season: Option<f32>,
 }
 
 /// What became of a plant.
@@ -76,7 +78,7 @@ fn budget_of_each(plants: usize) -> Budget {
 pub(super) fn add(
     memory: &mut Beside,
     mut drawn: Built,
-    plants: &[PlacedPlant],
+    (plants, season): (&[PlacedPlant], Option<f32>),
     clock: &mut Clock,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Option<Built> {
@@ -86,8 +88,9 @@ pub(super) fn add(
     }
     let (world, budget) = (drawn.provenance.world_from_canvas, budget_of_each(plants.len()));
     let kept = memory.kept.iter_mut().zip(plants);
+    let with = (budget, season);
     let made: Option<Vec<Arc<Made>>> = clock
-        .time("plants beside", || kept.map(|(kept, plant)| kept.make(plant, &world, budget, stop)).collect());
+        .time("plants beside", || kept.map(|(kept, plant)| kept.make(plant, &world, with, stop)).collect());
     let mut names = Names::of(&drawn.model);
     for (i, (made, plant)) in made?.iter().zip(plants).enumerate() {
         let of_plant = |remark: &Remark| Warning {
@@ -160,11 +163,11 @@ impl Kept {
         &mut self,
         plant: &PlacedPlant,
         world: &WorldFromCanvas,
-        budget: Budget,
+        (budget, season): (Budget, Option<f32>),
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Arc<Made>> {
         let placing = Placing::new(plant, world);
-        let request = Request { maker: plant.maker.clone(), placing, budget };
+        let request = Request { maker: plant.maker.clone(), placing, budget, season };
         if let Some((_, made)) = self.last.as_ref().filter(|(last, _)| *last == request) {
             return Some(made.clone());
         }
@@ -175,9 +178,11 @@ impl Kept {
 
     fn made(&mut self, request: &Request, stop: &(dyn Fn() -> bool + Sync)) -> Option<Made> {
         let Self { with, seed: memory, model, .. } = self;
-        let Some((species, params)) = with.as_deref() else {
+        let Some((species, params)) = with.as_deref_mut() else {
             return Some(Made::LeftOut(Remark::NoSuchPlant { known: Species::by_themselves().join(", ") }));
         };
+        params.season.time = request.season.unwrap_or(species.season.time);
+        let (species, params) = (&*species, &*params);
         let Maker::Growth(SeedOf { species: _, seed: number, age }) = request.maker;
         let seed = Seed { number, age, limits: Limits::within(&request.budget), ..Seed::default() };
         // Times of the stages are counted together.

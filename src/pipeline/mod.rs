@@ -150,7 +150,8 @@ pub fn build_with<'a>(
                 &stop,
             )?;
             let garden = painted_garden::lay_out(&mut cache.garden, &drawn, sketch, with, &mut clock, &stop)?;
-            let mut built = beside::add(&mut cache.beside, drawn, &sketch.plants, &mut clock, &stop)?;
+            let others = (&sketch.plants[..], params.season_of_all(species));
+            let mut built = beside::add(&mut cache.beside, drawn, others, &mut clock, &stop)?;
             garden.put_into(&mut built);
             Some(built)
         }

@@ -90,17 +90,12 @@ pub(super) fn lay_out(
         }
     }
     let placed = placed(drawn, sketch);
-    let laid = Laying { drawn, sketch, params, plants, placed: &placed };
+    let season = params.season_of_all(species);
+    let laid = Laying { drawn, sketch, params, season, plants, placed: &placed };
     let (stock, places) = clock.time("garden", || laid.planted(memory, &mut remarks, stop))?;
     let ground = clock.time("ground", || painted::ground(&sketch.garden, (&placed, &params.garden)));
     let garden = Some(Garden { stock, places, ground });
     Some(LaidOut { garden, remarks, stages: clock.take() })
-}
-
-/// The time of the year that a drawing says.
-fn season(sketch: &Sketch) -> Option<f32> {
-    let time = sketch.params.get("season")?.get("time")?;
-    Some(time.as_f64()? as f32)
 }
 
 fn makes_itself(species: &str) -> bool {
@@ -124,6 +119,8 @@ struct Laying<'a> {
     drawn: &'a Built,
     sketch: &'a Sketch,
     params: &'a Params,
+    /// The time of the year where it is not that of each species.
+    season: Option<f32>,
     plants: Vec<PlantOf>,
     placed: &'a [Placed],
 }
@@ -159,9 +156,8 @@ impl Laying<'_> {
 
     /// What the kinds are made of with so many triangles each.
     fn made_of(&self, triangles: &[u32]) -> Vec<MadeOf> {
-        let season = season(self.sketch);
         let of = |(plant, triangles): (&PlantOf, &u32)| MadeOf {
-            season,
+            season: self.season,
             variants: if matches!(plant, PlantOf::Drawn(_)) { 1 } else { self.params.garden.variants },
             plant: plant.clone(),
             triangles: *triangles,

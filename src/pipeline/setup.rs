@@ -199,6 +199,14 @@ pub fn params_of(sketch: &Sketch, species: &Species, assignments: &[String]) -> 
     overrides.finish().map_err(by("parameters"))
 }
 
+impl Params {
+    /// The time of the year that all plants of a drawing have; none where each has that of its own species, because nobody said
+    /// another than that of the drawn plant's.
+    pub(super) fn season_of_all(&self, species: &Species) -> Option<f32> {
+        (self.season.time != species.season.time).then_some(self.season.time)
+    }
+}
+
 /// The parameters of a sketch under their names of today: the time of the year of roses was one of their own.
 fn renamed(params: &Map<String, Value>) -> Cow<'_, Map<String, Value>> {
     let Some(time) = params.get("rose").and_then(|rose| rose.get("season")) else {
