@@ -81,7 +81,8 @@ impl Plan {
     /// How far around a share the plants decide what grows in it: those that are put, then those of each lattice.
     fn reaches(&self, lattices: &[Lattice<'_>]) -> Vec<f32> {
         let widest = self.widest();
-        let mut reaches = vec![EDGE];
+        // The plant of a small bed looks at all others, as far as half of what they keep.
+        let mut reaches = vec![EDGE + 0.5 * widest];
         for lattice in lattices.iter().rev() {
             let next = reaches[reaches.len() - 1];
             reaches.push(next + 0.5 * (widest + lattice.spacing));
