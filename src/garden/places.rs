@@ -22,6 +22,7 @@ use crate::budget::GardenBudget;
 use crate::random::{Choice, mix};
 use glam::Vec2;
 use rayon::prelude::*;
+use std::ops::Range;
 
 impl Plan {
     /// The places of all plants.
@@ -57,11 +58,7 @@ impl Plan {
             found.into_iter().for_each(|(_, found)| places.extend(found));
         }
         self.plant_small_beds(&lattices, &have_spots, &mut places);
-        let mut numbered: Vec<(u64, Place)> =
-            places.into_iter().map(|place| (squares.number(flat(&place)), place)).collect();
-        numbered.retain(|(square, _)| own.contains(square));
-        numbered.par_sort_by_key(|(square, _)| *square);
-        Ok(numbered.into_iter().map(|(_, place)| place).collect())
+        Ok(in_order(places, |place| squares.number(flat(place)), &own))
     }
 
     /// How many plants there will be, about: maps thin evenly, nothing is in the way.
@@ -172,6 +169,23 @@ const EDGE: f32 = 0.01;
 
 fn grown((low, high): (Vec2, Vec2), by: f32) -> (Vec2, Vec2) {
     (low - by, high + by)
+}
+
+/// The plants of some squares in the order of these, those of one square as they come.
+fn in_order(
+    places: Vec<Place>,
+    square: impl Fn(&Place) -> u64 + Send + Sync,
+    own: &Range<u64>,
+) -> Vec<Place> {
+    let squares: Vec<u64> = places.par_iter().map(square).collect();
+    // One lattice over all of a garden comes square by square.
+    if squares.is_sorted() && squares.iter().all(|square| own.contains(square)) {
+        return places;
+    }
+    let mut order: Vec<(u64, u32)> =
+        squares.into_iter().zip(0..).filter(|(square, _)| own.contains(square)).collect();
+    order.par_sort_unstable();
+    order.into_iter().map(|(_, place)| places[place as usize]).collect()
 }
 
 /// Where a plant stands on the plan.
