@@ -13,7 +13,7 @@
 
 use super::ground::Ground;
 use super::occupied::Occupied;
-use super::plan::{Place, leaning};
+use super::plan::{Place, leaning, spot};
 use super::spec::Cover;
 use super::surface::{Layer, Terrain};
 use super::tiles::{Spot, TileSet};
@@ -291,8 +291,7 @@ impl Layout<'_> {
             let at = bed.line[0];
             let clears = |bed: &Bed<'_>| bed.stroke.tool == GardenTool::Clear && bed.outside(at) < 0.0;
             let is_cleared = self.beds.strokes[order + 1..].iter().any(clears);
-            let [x, y] = at.to_array().map(|metres| u64::from(metres.to_bits()));
-            (!is_cleared).then(|| self.place(number, kind, at, mix(mix(kind.key(self.seed), x), y)))
+            (!is_cleared).then(|| self.place(number, kind, at, spot(kind.key(self.seed), at)))
         };
         taps.filter_map(place).collect()
     }

@@ -67,7 +67,7 @@ impl Plan {
     /// [`PlanError::TooDense`].
     pub fn plants(&self, tiles: &TileSet) -> Result<f64, PlanError> {
         let spread: f64 = self.lattices(tiles)?.iter().map(Lattice::plants).sum();
-        Ok(spread + rows::count(self))
+        Ok(spread + rows::plants(self))
     }
 
     /// The largest distance that a kind keeps.
@@ -120,7 +120,7 @@ impl Plan {
         (share, within): (Share, (Vec2, Vec2)),
     ) -> Result<(), PlanError> {
         let most = f64::from(share.of()) * GardenBudget::GARDEN.places as f64;
-        let mut plants = rows::count(self);
+        let mut plants = rows::spots(self);
         for lattice in lattices {
             plants += lattice.most_plants();
             if plants > most {

@@ -240,6 +240,7 @@ fn beds_rows_lines_and_single_plants_keep_to_their_ground() {
     assert!((1.65..2.5).contains(&near_tree), "{near_tree}");
     let wanted = plan.plants(&TILES).unwrap() / places.len() as f64;
     assert!((1.0..1.4).contains(&wanted), "about as many as are expected: {wanted}");
+    assert_eq!((rows::plants(&plan), rows::spots(&plan)), (80.0 + 37.0 + 2.0, 80.0 + 37.0 + 2.0));
 }
 
 #[test]

@@ -198,8 +198,7 @@ impl Plan {
 
     /// The key of the spot of a plant that is put somewhere.
     pub(super) fn spot(&self, at: Vec2) -> u64 {
-        let [x, z] = at.to_array().map(|metres| u64::from(metres.to_bits()));
-        mix(mix(Choice::SPOT.key(self.seed), x), z)
+        spot(Choice::SPOT.key(self.seed), at)
     }
 
     /// How a plant is turned at a place.
@@ -212,6 +211,12 @@ impl Plan {
         let up = Vec3::Y.lerp(self.ground.normal(at, 0.5 * spacing), follows).normalize_or(Vec3::Y);
         (Quat::from_rotation_arc(Vec3::Y, up) * upright).normalize()
     }
+}
+
+/// The key of a spot by its place, not by its number among others.
+pub(super) fn spot(key: u64, at: Vec2) -> u64 {
+    let [x, z] = at.to_array().map(|metres| u64::from(metres.to_bits()));
+    mix(mix(key, x), z)
 }
 
 /// How a plant is turned at a spot of level ground, at most so many degrees from upright.

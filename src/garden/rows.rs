@@ -10,24 +10,38 @@ use crate::geom::polyline;
 use crate::random::Choice;
 use glam::Vec2;
 
-/// How many plants are put, at most.
-pub(super) fn count(plan: &Plan) -> f64 {
-    let of = |kind: &Kind| {
-        let spacing = f64::from(kind.spacing);
-        match &kind.stands {
-            Stands::Spread => 0.0,
-            Stands::At(points) => points.len() as f64,
-            Stands::Along(lines) => {
-                lines.iter().map(|line| f64::from(polyline::length(line)) / spacing + 1.0).sum()
-            }
-            Stands::Rows { apart, .. } => {
-                let (low, high) = plan.bounds_of(kind.bed);
-                // The box is looked through to its corners.
-                2.0 * f64::from((high - low).length_squared()) / (spacing * f64::from(*apart)) + 1.0
-            }
-        }
+/// How many plants are put, about: maps do not count, and nothing is in the way.
+pub(super) fn plants(plan: &Plan) -> f64 {
+    let of_bed = |kind: &Kind, apart: f32, _| {
+        f64::from(plan.square_metres_of(kind.bed)) / (f64::from(kind.spacing) * f64::from(apart))
+    };
+    count(plan, of_bed)
+}
+
+/// In how many places plants are looked for, those around a bed among them that rows reach.
+pub(super) fn spots(plan: &Plan) -> f64 {
+    let of_box = |kind: &Kind, apart: f32, angle: f32| {
+        let counts = counts(plan.bounds_of(kind.bed), axis(angle), Vec2::new(kind.spacing, apart));
+        f64::from(counts.x) * f64::from(counts.y)
+    };
+    count(plan, of_box)
+}
+
+/// How many plants are put, of which `in_rows` says how many rows have.
+fn count(plan: &Plan, in_rows: impl Fn(&Kind, f32, f32) -> f64) -> f64 {
+    let along = |line: &Vec<Vec2>, spacing: f32| f64::from(polyline::length(line)) / f64::from(spacing) + 1.0;
+    let of = |kind: &Kind| match &kind.stands {
+        Stands::Spread => 0.0,
+        Stands::At(points) => points.len() as f64,
+        Stands::Along(lines) => lines.iter().map(|line| along(line, kind.spacing)).sum(),
+        Stands::Rows { apart, angle } => in_rows(kind, *apart, *angle),
     };
     plan.kinds.iter().map(of).sum()
+}
+
+/// The direction of rows that are turned by so many degrees.
+fn axis(angle: f32) -> Vec2 {
+    Vec2::from_angle(angle.to_radians())
 }
 
 /// The plants that are put within a box, kind by kind.
@@ -46,8 +60,7 @@ pub(super) fn placed(plan: &Plan, (low, high): (Vec2, Vec2)) -> Vec<Place> {
                 points.filter(|at| plan.area.contains(*at) && is_free(at) && stays(at)).for_each(put);
             }
             Stands::Rows { apart, angle } => {
-                let axis = Vec2::from_angle(angle.to_radians());
-                rows(plan.bounds_of(kind.bed), axis, Vec2::new(kind.spacing, *apart), |at| {
+                rows(plan.bounds_of(kind.bed), axis(*angle), Vec2::new(kind.spacing, *apart), |at| {
                     if is_near(&at) && plan.is_in_bed(kind.bed, at) && stays(&at) {
                         put(at);
                     }
@@ -76,13 +89,17 @@ fn along(line: &[Vec2], spacing: f32) -> Vec<Vec2> {
     (0..count).map(point).collect()
 }
 
+/// How many points a row over a box has, and how many rows there are.
+fn counts((low, high): (Vec2, Vec2), axis: Vec2, apart: Vec2) -> Vec2 {
+    let extent = high - low;
+    let reach = Vec2::new(extent.dot(axis.abs()), extent.dot(axis.perp().abs()));
+    (reach / apart + 1e-3).floor().max(Vec2::ONE)
+}
+
 /// Hands on points in rows over a box: so far apart along an axis and across it.
 fn rows((low, high): (Vec2, Vec2), axis: Vec2, apart: Vec2, mut take: impl FnMut(Vec2)) {
     let middle = (low + high) / 2.0;
-    let half = (high - low) / 2.0;
-    // Half the box's extent along the axis and across it.
-    let reach = Vec2::new(half.dot(axis.abs()), half.dot(axis.perp().abs()));
-    let counts = (2.0 * reach / apart + 1e-3).floor().max(Vec2::ONE).as_u64vec2();
+    let counts = counts((low, high), axis, apart).as_u64vec2();
     let place = |k: u64, count: u64, apart: f32| (k as f32 - 0.5 * (count - 1) as f32) * apart;
     for row in 0..counts.y {
         for k in 0..counts.x {
