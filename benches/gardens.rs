@@ -30,7 +30,7 @@ const SPACING: f32 = 0.5;
 fn plan(plants: u32, tiles: &TileSet) -> Plan {
     let side = (plants as f32 / tiles.density()).sqrt() * SPACING;
     let (share, spacing, variants) = (1.0, SPACING, 16);
-    let kind = Kind { share, spacing, variants, map: None, bed: None, stands: Stands::Spread };
+    let kind = Kind { share, spacing, variants, map: None, bed: None, stands: Stands::Spread, wall: None };
     Plan {
         seed: 1,
         area: Area::rectangle(Vec2::splat(side)).unwrap(),
@@ -38,6 +38,7 @@ fn plan(plants: u32, tiles: &TileSet) -> Plan {
         map: None,
         ground: Ground::default(),
         paths: Vec::new(),
+        walls: Vec::new(),
         beds: Vec::new(),
         kinds: vec![kind],
         variation: Variation::default(),
@@ -83,11 +84,11 @@ fn roses(c: &mut Criterion) {
         let species = Box::new(Species::built_in("rose").unwrap());
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
         let form = Form::Whole;
-        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
+        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form, before: None };
         grower.fit(pipeline::triangles_of_each(places.len(), 16));
         let mut stock = Stock::default();
         stock.add("rose", grower.grow_all(16), 0.0);
-        let garden = Garden { stock, places, ground: None };
+        let garden = Garden { stock, places, ground: None, walls: Vec::new() };
         let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
         let (provenance, instanced) = (Provenance::default(), garden.instanced());
         let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);

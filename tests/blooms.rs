@@ -92,8 +92,9 @@ fn width(built: &Built) -> f32 {
 #[test]
 fn buds_are_slender_and_widen_steadily() {
     for name in DOUBLE.iter().chain(&["tulip", "lily", "poppy"]) {
-        let widths: Vec<f32> =
-            (0..=8).map(|k| width(&bloom(name, &[&format!("flower.open={}", k as f32 / 8.0)]))).collect();
+        let alone = "flower.clump.stems=1";
+        let width = |k: u32| width(&bloom(name, &[alone, &format!("flower.open={}", k as f32 / 8.0)]));
+        let widths: Vec<f32> = (0..=8).map(width).collect();
         let steady = widths.windows(2).all(|pair| pair[1] > 0.93 * pair[0]);
         assert!(steady && widths[0] < 0.75 * widths[8], "{name}: {widths:?}");
     }
@@ -147,6 +148,22 @@ fn one_line(points: &[(f32, f32)], species: &str, height: f64) -> Built {
 
 fn organs(built: &Built, kind: OrganKind) -> usize {
     built.plant.organs.iter().filter(|organ| organ.kind() == kind).count()
+}
+
+#[test]
+fn clumps_have_their_stems_and_stems_their_leaves() {
+    let count = |assignments: &[&str]| {
+        let built = bloom("tulip", assignments);
+        assert_eq!(built.plant.check_invariants(), Ok(()));
+        (built.plant.flowers.len(), organs(&built, OrganKind::Leaf))
+    };
+    assert_eq!(count(&["flower.leaves.nodes=0"]), (1, 0));
+    let pairs = ["flower.leaves.nodes=3", "flower.leaves.per_node=2", "flower.leaves.rosette=4"];
+    assert_eq!(count(&pairs), (1, 10));
+    assert_eq!(count(&[&pairs[..], &["flower.clump.stems=5"]].concat()), (5, 34));
+    let spikes =
+        |stems: &str| organs(&bloom("lavender", &[stems, "flower.leaves.nodes=0"]), OrganKind::Petal);
+    assert!(spikes("flower.clump.stems=3") > 2 * spikes("flower.clump.stems=1"));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use penstemon::formats::textures::fetch;
 use penstemon::formats::write::{self, Surfaces};
 use penstemon::input::Sources;
 use penstemon::model::{Levels, Model, Part, PartKind};
-use penstemon::pipeline::{self, Built, Level, Params, Seed};
+use penstemon::pipeline::{self, Bloom, Built, Level, Params, Seed};
 use penstemon::plant::Texture;
 use penstemon::render::{Background, Direction, PictureOptions, Projection, Renderer, View};
 use penstemon::species::{Species, builtin_texture};
@@ -95,6 +95,26 @@ fn cards_cover_what_their_leaves_cover() {
         assert!(share < most, "{name}: {share} of the foliage's triangles");
         assert_alike(&mut renderer, name, (&leaves.model, &cards.model), (area, 25.0));
     }
+}
+
+#[test]
+fn plants_with_leaves_and_flowers_keep_both_as_cards() {
+    let species = Species::built_in("marigold").unwrap();
+    let built = |assignments: &[&str]| {
+        let assignments: Vec<String> = assignments.iter().map(|&text| text.to_owned()).collect();
+        let params = pipeline::params_of_species(&species, &assignments).unwrap();
+        pipeline::build(&Bloom { number: 1 }, &species, &params).model
+    };
+    let (whole, cards) = (built(&[]), built(&["cards.used=true", "model.budget.triangles=6000"]));
+    assert!(cards.triangle_count() * 4 < whole.triangle_count(), "{}", cards.triangle_count());
+    let renderer = &mut Renderer::new().unwrap();
+    // Orange flowers above green leaves: without either the colour would be that of the other.
+    let mut redness = |model: &Model| {
+        let (_, [red, green, _]) = seen(renderer, (model, &whole), Direction::Front, LARGE);
+        red / green
+    };
+    let (of_whole, of_cards) = (redness(&whole), redness(&cards));
+    assert!((of_cards / of_whole - 1.0).abs() < 0.25, "{of_cards} where the plant has {of_whole}");
 }
 
 #[test]

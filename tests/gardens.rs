@@ -11,6 +11,7 @@ use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
 use penstemon::sketch::{self, GardenPlant, GardenTool, Sketch};
 use penstemon::species::Species;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 const BED: &str = "area = [[-3, -2], [3, -2], [3, 2], [0, 1], [-3, 2]]\nspacing = 0.35\nseed = 5\nvariants = 3\n\
@@ -26,15 +27,16 @@ fn garden_of(text: &str, triangles: u32, form: Form) -> Garden {
     let tiles = TileSet::new(spec.colours, 1);
     let plan = spec.plan(&tiles, Path::new("")).unwrap();
     let mut stock = Stock::default();
-    for (kind, of_plan) in spec.plants.iter().zip(&plan.kinds) {
+    for (number, (kind, of_plan)) in spec.plants.iter().zip(&plan.kinds).enumerate() {
         let species = Box::new(Species::built_in(kind.origin.name()).unwrap());
         let params = Box::new(pipeline::params_of_species(&species, &[]).unwrap());
-        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form };
+        let (age, before) = (kind.fields.age, plan.before_wall_of(number));
+        let mut grower = Grower::Species { species, params, age, first_seed: 1, form, before };
         grower.fit(triangles);
         stock.add(kind.origin.name(), grower.grow_all(of_plan.variants), 0.0);
     }
     let places = plan.places(&tiles).unwrap();
-    Garden { stock, places, ground: surface::slab(&plan, spec.ground.cover) }
+    Garden { stock, places, ground: surface::slab(&plan, spec.ground.cover), walls: plan.walls }
 }
 
 fn glb(garden: &Garden, form: InstanceForm) -> Vec<u8> {
@@ -44,6 +46,43 @@ fn glb(garden: &Garden, form: InstanceForm) -> Vec<u8> {
     let scene = Scene::new(&instanced.model, (&plant, &provenance), &built_in, Cow::Borrowed("bed")).unwrap();
     let scene = scene.with_instances(&instanced.groups, form).unwrap();
     format_of(Path::new("bed.glb")).unwrap().encode(&scene).unwrap().bytes
+}
+
+const IVY: &str = "area = \"8x4\"\nspacing = 1.5\n[[walls]]\nname = \"north\"\nline = [[-3, -1], [3, -1]]\nheight = 1.2\n\
+                   [[plants]]\nspecies = \"ivy\"\nwall = \"north\"\nage = 6\n[[plants]]\nspecies = \"tulip\"\nspacing = 0.3\n";
+
+#[test]
+fn what_climbs_has_grown_before_its_wall_and_nothing_stands_in_it() {
+    let garden = garden(IVY, 20_000);
+    let [ivy, tulips] = [0, 1].map(|kind| garden.places.iter().filter(move |place| place.kind == kind));
+    let ivy: Vec<_> = ivy.collect();
+    assert_eq!(ivy.iter().map(|place| place.variant).collect::<BTreeSet<u32>>().len(), 8);
+    for place in ivy {
+        let individual = &garden.stock.kinds[0].individuals[place.variant as usize];
+        let points = individual.surfaces.iter().flat_map(|surface| &surface.mesh.points);
+        let (mut highest, mut inside, mut all, mut far) = (0.0_f32, 0, 0, 0);
+        for point in points.map(|point| place.at + place.rotation * *point * place.scale) {
+            let from_middle = (point.z + 1.0).abs();
+            highest = highest.max(point.y);
+            all += 1;
+            inside += usize::from(from_middle < 0.1 && point.y < 1.1 && point.x.abs() < 2.9);
+            far += usize::from(from_middle > 0.6);
+        }
+        assert!(highest > 0.4, "it climbs: {highest}");
+        assert!(
+            inside * 50 < all && far * 20 < all,
+            "{inside} within the wall, {far} away from it, of {all}"
+        );
+    }
+    let mut count = 0;
+    for place in tulips {
+        assert!((place.at.z + 1.0).abs() >= 0.2 || place.at.x.abs() > 3.2, "{}", place.at);
+        count += 1;
+    }
+    assert!(count > 100);
+    let model = garden.model();
+    assert_eq!(model.check_invariants(), Ok(()));
+    assert_eq!(model.parts.iter().filter(|part| part.name.starts_with("wall")).count(), 1);
 }
 
 #[test]

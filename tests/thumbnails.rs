@@ -76,13 +76,15 @@ fn drawn(renderer: &mut Renderer, name: &str) -> Pixels {
     picture(renderer, &grown.model)
 }
 
-/// The picture of the flower of a species on a short stem.
+/// The picture of one flower of a species on a short stem without leaves.
 fn in_flower(renderer: &mut Renderer, name: &str) -> Pixels {
     let species = Species::built_in(name).unwrap();
     // A grammar of a species' own may have no peduncle that could be shorter.
     let short = ["flower.inflorescence.peduncle=0.06", "flower.bloom.stem=1.5"];
+    let bare = ["flower.clump.stems=1", "flower.leaves.rosette=0", "flower.leaves.nodes=0"];
     let params = |assignments: &[&str]| {
-        pipeline::params_of_species(&species, &assignments.iter().map(|&s| s.to_owned()).collect::<Vec<_>>())
+        let assignments = bare.iter().chain(assignments).map(|&assignment| assignment.to_owned());
+        pipeline::params_of_species(&species, &assignments.collect::<Vec<_>>())
     };
     let short = &short[usize::from(species.inflorescence.is_none())..][..1];
     let params = params(short).or_else(|_| params(&[])).unwrap();

@@ -21,7 +21,9 @@ mod surfaces;
 use crate::geom::simple_loop::area;
 use crate::model::ModelParams;
 use crate::picture::Picture;
-use crate::plant::{FinishedPlant, Material, Organ, OrganPart, Origin, Plant, Role, Shape, Texture};
+use crate::plant::{
+    FinishedPlant, Material, Organ, OrganClass, OrganPart, Origin, Plant, Role, Shape, Texture,
+};
 use atlas::Atlas;
 pub use atlas::Cache;
 use clusters::{Cluster, clusters};
@@ -143,22 +145,34 @@ struct Ranks {
     of_cluster: Vec<usize>,
 }
 
-/// Clusters are ordered by the number of their organs and divided into groups of about equally many; of each group that is drawn
-/// which fills its card as well as the middle one of the group does.
+/// Clusters with and without flowers are ordered by the number of their organs, and divided into groups of about equally many; of each
+/// group that is drawn which fills its card as well as the middle one of the group does.
 fn ranks(plant: &Plant, framed: &[(Cluster, Frame)], shoots: usize) -> Ranks {
-    let shoots = shoots.min(framed.len()).max(1);
-    let mut order: Vec<usize> = (0..framed.len()).collect();
-    order.sort_by_key(|&i| (framed[i].0.organs.len(), i));
-    let mut of_cluster = vec![0; order.len()];
-    let group = |shoot: usize| shoot * order.len() / shoots..(shoot + 1) * order.len() / shoots;
-    let middle = |shoot: usize| {
-        let mut filled: Vec<(f32, usize)> =
-            order[group(shoot)].iter().map(|&i| (fill(plant, &framed[i]), i)).collect();
-        filled.iter().for_each(|(_, i)| of_cluster[*i] = shoot);
-        filled.sort_by(|(a, i), (b, j)| a.total_cmp(b).then(i.cmp(j)));
-        filled[filled.len() / 2].1
+    let has_flowers = |i: &usize| framed[*i].0.organs.iter().any(|organ| is_of_flower(&plant.organs[*organ]));
+    let (flowering, leafy): (Vec<usize>, Vec<usize>) = (0..framed.len()).partition(has_flowers);
+    let of_flowering = match (flowering.len(), leafy.len()) {
+        (_, 0) => shoots,
+        (0, _) => 0,
+        (flowers, _) => (shoots * flowers).div_ceil(framed.len()).min(shoots.max(2) - 1),
     };
-    Ranks { shown: (0..shoots).map(middle).collect(), of_cluster }
+    let mut ranks = Ranks { shown: Vec::new(), of_cluster: vec![0; framed.len()] };
+    for (mut order, shoots) in [(leafy, shoots.max(2) - of_flowering), (flowering, of_flowering)] {
+        order.sort_by_key(|&i| (framed[i].0.organs.len(), i));
+        let shoots = shoots.min(order.len());
+        for shoot in 0..shoots {
+            let group = &order[shoot * order.len() / shoots..(shoot + 1) * order.len() / shoots];
+            let mut filled: Vec<(f32, usize)> = group.iter().map(|&i| (fill(plant, &framed[i]), i)).collect();
+            filled.iter().for_each(|(_, i)| ranks.of_cluster[*i] = ranks.shown.len());
+            filled.sort_by(|(a, i), (b, j)| a.total_cmp(b).then(i.cmp(j)));
+            ranks.shown.push(filled[filled.len() / 2].1);
+        }
+    }
+    ranks
+}
+
+/// Whether an organ is part of a flower.
+fn is_of_flower(organ: &Organ) -> bool {
+    organ.kind().class() == OrganClass::Flower
 }
 
 /// The area of a cluster's blades as a share of its card's.

@@ -111,7 +111,7 @@ impl Args {
 pub enum Detail {
     /// As fine as each is by itself.
     Full,
-    /// As coarse as each can be with all its flowers, trees with about 2000 triangles.
+    /// As coarse as each can be with all its flowers, trees with about 2000 triangles; many small flowers as cards.
     Reduced,
     /// With cards of leaves, flowers and thin twigs, and as many triangles as the number of plants allows.
     Card,
@@ -154,6 +154,11 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let with = (&args.assignments.all()[..], form);
     let growers = spec.plants.iter().map(|kind| grower(kind, &folder, with, &mut sources));
     let mut growers = growers.collect::<Result<Vec<Grower>>>()?;
+    for (number, grower) in growers.iter_mut().enumerate() {
+        if let (Some(feet), Grower::Species { before, .. }) = (plan.before_wall_of(number), grower) {
+            *before = Some(feet);
+        }
+    }
     for (kind, grower) in plan.kinds.iter_mut().zip(&growers) {
         kind.variants = grower.variants(kind.variants);
     }
@@ -178,7 +183,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         None => surface::slab(&plan, spec.ground.cover),
         Some(_) => None,
     });
-    let garden = Garden { stock, places, ground };
+    let walls = if args.shard.is_none() { std::mem::take(&mut plan.walls) } else { Vec::new() };
+    let garden = Garden { stock, places, ground, walls };
     warn_of_missing(&garden, args.shard);
     let bytes = clock.time("files", || write_all(args, &plan, &garden, &sources))?;
     if args.stats {
@@ -298,11 +304,17 @@ fn grower(
             if age.is_some() && species.growth.is_none() {
                 bail!("{name}: only plants that grow have years; leave out `age`");
             }
+            if let (Some(wall), None) = (&fields.wall, &species.growth) {
+                bail!(
+                    "{name}: only plants that grow know of walls; leave out `wall = \"{}\"`, or choose one that climbs, such as ivy or clematis",
+                    quote::name(wall)
+                );
+            }
             species.picture_files().for_each(|picture| sources.add(picture));
             let params =
                 pipeline::params_of_species(&species, &assignments).with_context(|| name.to_owned())?;
             let (species, params) = (Box::new(species), Box::new(params));
-            Ok(Grower::Species { species, params, age, first_seed: u64::from(seed), form })
+            Ok(Grower::Species { species, params, age, first_seed: u64::from(seed), form, before: None })
         }
         Origin::Drawing(_) => {
             let assignments = Assignments::of(assignments);

@@ -197,6 +197,11 @@ impl Path {
         &self.points
     }
 
+    /// Half of its width, metres.
+    pub fn half_width(&self) -> f32 {
+        self.half_width
+    }
+
     /// How far a point is beside the path, metres; negative on it.
     pub fn beside(&self, p: Vec2) -> f32 {
         polyline::nearest(&self.points, p).map_or(f32::INFINITY, |(distance, _)| distance) - self.half_width

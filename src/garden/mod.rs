@@ -10,6 +10,7 @@
 //! | --- | --- |
 //! | `tiles` | corner-coloured Poisson-disk tiles |
 //! | `area`, `grey_map`, `ground`, `ground_mesh` | ground plan, density maps, heights, those of an OBJ file |
+//! | `walls` | walls along lines or from OBJ files, and where what climbs on them stands |
 //! | `plan` | the garden before anything grows: beds, paths, kinds; what a plant at a place is like |
 //! | `rows` | plants that are put: one by one, along lines, in rows |
 //! | `lattice`, `occupied` | the tiles over one bed; what stands there already |
@@ -41,6 +42,7 @@ pub mod spec;
 pub mod stock;
 pub mod surface;
 pub mod tiles;
+pub mod walls;
 
 pub use area::{Area, Outline};
 pub use painted::GardenParams;
@@ -50,3 +52,4 @@ pub use share::Share;
 pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
 pub use stock::Stock;
 pub use tiles::{Spot, TileSet};
+pub use walls::{BeforeWall, Wall, WallSpec};

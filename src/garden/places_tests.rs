@@ -13,7 +13,7 @@ use std::sync::LazyLock;
 static TILES: LazyLock<TileSet> = LazyLock::new(|| TileSet::new(3, 1));
 
 fn kind(share: f32, spacing: f32) -> Kind {
-    Kind { share, spacing, variants: 16, map: None, bed: None, stands: Stands::Spread }
+    Kind { share, spacing, variants: 16, map: None, bed: None, stands: Stands::Spread, wall: None }
 }
 
 fn plan(size: [f32; 2], kinds: Vec<Kind>) -> Plan {
@@ -23,6 +23,7 @@ fn plan(size: [f32; 2], kinds: Vec<Kind>) -> Plan {
         density: None,
         map: None,
         ground: Ground::default(),
+        walls: Vec::new(),
         paths: Vec::new(),
         beds: Vec::new(),
         kinds,

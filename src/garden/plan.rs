@@ -11,6 +11,7 @@ use super::area::{Area, Path};
 use super::grey_map::GreyMap;
 use super::ground::Ground;
 use super::tiles::TileSet;
+use super::walls::{BeforeWall, Wall};
 use crate::budget::GardenBudget;
 use crate::random::{Choice, mix};
 use glam::{Quat, Vec2, Vec3};
@@ -34,6 +35,8 @@ pub enum Stands {
     Along(Vec<Vec<Vec2>>),
     /// One by one.
     At(Vec<Vec2>),
+    /// One by one before a wall, each an individual of its own that has grown there.
+    Before(Vec<Vec2>),
 }
 
 /// A kind of plants, as far as it matters where they stand.
@@ -51,6 +54,8 @@ pub struct Kind {
     pub bed: Option<usize>,
     /// Where they stand there.
     pub stands: Stands,
+    /// What they climb on, an index into [`Plan::walls`].
+    pub wall: Option<usize>,
 }
 
 crate::parameters! {
@@ -82,6 +87,8 @@ pub struct Plan {
     pub ground: Ground,
     /// Where nothing grows but what is put there one by one.
     pub paths: Vec<Path>,
+    /// What stands on the ground; nothing grows there but what is put there one by one.
+    pub walls: Vec<Wall>,
     /// Ground that only the kinds of a bed are spread over.
     pub beds: Vec<Area>,
     /// What grows.
@@ -173,9 +180,10 @@ impl Plan {
         bed.map_or(open, |bed| self.beds.get(bed).map_or(0.0, Area::square_metres))
     }
 
-    /// Whether nothing grows at a place because of a path.
+    /// Whether nothing grows at a place because of a path or a wall.
     pub(super) fn is_on_path(&self, at: Vec2) -> bool {
-        self.paths.iter().any(|path| path.beside(at) < self.variation.path_margin)
+        let walls = self.walls.iter().filter_map(|wall| wall.line.as_ref());
+        self.paths.iter().chain(walls).any(|path| path.beside(at) < self.variation.path_margin)
     }
 
     /// What a map over the garden says of a place, 1 without one.
@@ -194,6 +202,18 @@ impl Plan {
             rotation: self.rotation(spot, at, spacing),
             scale: 1.0 + self.variation.size * Choice::SIZE.signed(spot),
         }
+    }
+
+    /// What the plants of a kind have beside them that climb on a wall.
+    pub fn before_wall_of(&self, kind: usize) -> Option<BeforeWall> {
+        let Kind { wall, stands: Stands::Before(feet), .. } = self.kinds.get(kind)? else { return None };
+        let obstacles = self.walls.get((*wall)?)?.obstacles.clone();
+        Some(BeforeWall { obstacles, feet: feet.iter().map(|at| self.ground.point(*at)).collect() })
+    }
+
+    /// A plant before a wall: as it grew there.
+    pub(super) fn before_wall(&self, kind: u32, at: Vec2, variant: u32) -> Place {
+        Place { kind, variant, at: self.ground.point(at), rotation: Quat::IDENTITY, scale: 1.0 }
     }
 
     /// The key of the spot of a plant that is put somewhere.

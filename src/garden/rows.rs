@@ -1,4 +1,4 @@
-//! Plants that stand where they are put: one by one, along lines, and in straight rows through a bed.
+//! Plants that stand where they are put: one by one, before walls, along lines, and in straight rows through a bed.
 //!
 //! Along a line plants are as far apart as their kind keeps, the last ones at both its ends with a little more room between all. Rows lie
 //! in the middle of their bed, and so do the plants of a row over the bed's breadth.
@@ -32,7 +32,7 @@ fn count(plan: &Plan, in_rows: impl Fn(&Kind, f32, f32) -> f64) -> f64 {
     let along = |line: &Vec<Vec2>, spacing: f32| f64::from(polyline::length(line)) / f64::from(spacing) + 1.0;
     let of = |kind: &Kind| match &kind.stands {
         Stands::Spread => 0.0,
-        Stands::At(points) => points.len() as f64,
+        Stands::At(points) | Stands::Before(points) => points.len() as f64,
         Stands::Along(lines) => lines.iter().map(|line| along(line, kind.spacing)).sum(),
         Stands::Rows { apart, angle } => in_rows(kind, *apart, *angle),
     };
@@ -55,8 +55,13 @@ pub(super) fn placed(plan: &Plan, (low, high): (Vec2, Vec2)) -> Vec<Place> {
         match &kind.stands {
             Stands::Spread => {}
             Stands::At(points) => points.iter().copied().filter(is_near).for_each(put),
+            Stands::Before(points) => {
+                let numbered = points.iter().copied().zip(0..).filter(|(at, _)| is_near(at));
+                places.extend(numbered.map(|(at, variant)| plan.before_wall(number, at, variant)));
+            }
             Stands::Along(lines) => {
-                let points = lines.iter().flat_map(|line| along(line, kind.spacing)).filter(is_near);
+                let points =
+                    lines.iter().flat_map(|line| polyline::spaced(line, kind.spacing)).filter(is_near);
                 points.filter(|at| plan.area.contains(*at) && is_free(at) && stays(at)).for_each(put);
             }
             Stands::Rows { apart, angle } => {
@@ -75,18 +80,6 @@ pub(super) fn placed(plan: &Plan, (low, high): (Vec2, Vec2)) -> Vec<Place> {
 fn is_thinned(plan: &Plan, kind: &Kind, at: Vec2) -> bool {
     let left = plan.value(plan.map.as_ref(), at) * plan.value(kind.map.as_ref(), at);
     Choice::PLANT.unit(plan.spot(at)) >= left
-}
-
-/// Points along a line from end to end, at least so far apart.
-fn along(line: &[Vec2], spacing: f32) -> Vec<Vec2> {
-    let arcs = polyline::arc_lengths(line.iter().copied());
-    let length = arcs.last().copied().unwrap_or_default();
-    let steps = (length / spacing + 1e-3).floor().max(1.0);
-    // The end of a closed line is its beginning.
-    let is_closed = line.first() == line.last();
-    let count = if length < spacing { 1 } else { steps as usize + usize::from(!is_closed) };
-    let point = |k: usize| polyline::interpolate(line, polyline::locate(&arcs, length * k as f32 / steps));
-    (0..count).map(point).collect()
 }
 
 /// How many points a row over a box has, and how many rows there are.
@@ -112,18 +105,6 @@ fn rows((low, high): (Vec2, Vec2), axis: Vec2, apart: Vec2, mut take: impl FnMut
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn plants_stand_along_a_line_from_end_to_end() {
-        let line = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(3.0, 2.0)];
-        let points = along(&line, 0.9);
-        assert_eq!(points.len(), 6);
-        assert!(points[0] == line[0] && points[5].distance(line[2]) < 1e-6);
-        assert!(points[..4].windows(2).all(|two| (two[0].distance(two[1]) - 1.0).abs() < 1e-5), "{points:?}");
-        assert_eq!(along(&line, 40.0), [Vec2::ZERO]);
-        let around = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y, Vec2::ZERO];
-        assert_eq!(along(&around, 0.5).len(), 8);
-    }
 
     #[test]
     fn rows_lie_in_the_middle_of_their_bed() {

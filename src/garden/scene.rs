@@ -6,8 +6,9 @@
 
 use super::plan::Place;
 use super::stock::{Individual, KindStock, Stock};
+use super::walls::{self, Wall};
 use crate::model::{Copies, InstanceGroup, InstancedModel, Mesh, Model, Part, PartKind, Placement, Pose};
-use crate::plant::Material;
+use crate::plant::{Material, OrganKind};
 use glam::Vec3;
 use smol_str::{SmolStr, format_smolstr};
 use std::collections::BTreeSet;
@@ -22,6 +23,8 @@ pub struct Garden {
     pub places: Vec<Place>,
     /// The ground with its materials, the first for its first triangles; none for plants alone.
     pub ground: Option<(Mesh, Vec<Material>)>,
+    /// What stands on it.
+    pub walls: Vec<Wall>,
 }
 
 impl Garden {
@@ -35,12 +38,16 @@ impl Garden {
             .collect();
         let of_place = |place: &Place| counts[place.kind as usize].get(place.variant as usize).copied();
         let ground = self.ground.as_ref().map_or(0, |(mesh, _)| mesh.triangles.len());
-        ground + self.places.iter().filter_map(of_place).sum::<usize>()
+        let walls = self.walls.iter().flat_map(|wall| &wall.surfaces);
+        let walls: usize = walls.map(|mesh| mesh.triangles.len()).sum();
+        ground + walls + self.places.iter().filter_map(of_place).sum::<usize>()
     }
 
     /// Smallest and largest corner of the ground and of where plants stand, with room for these; none where nothing is.
     pub fn bounds(&self) -> Option<(Vec3, Vec3)> {
-        let ground = self.ground.iter().flat_map(|(mesh, _)| mesh.points.iter().copied());
+        let walls = self.walls.iter().flat_map(|wall| &wall.surfaces);
+        let ground = self.ground.iter().map(|(mesh, _)| mesh).chain(walls);
+        let ground = ground.flat_map(|mesh| mesh.points.iter().copied());
         let widths: Vec<f32> = self.stock.kinds.iter().map(KindStock::width).collect();
         let room = |place: &Place| place.scale * widths[place.kind as usize];
         let plants = self.places.iter().flat_map(|place| [place.at - room(place), place.at + room(place)]);
@@ -58,7 +65,7 @@ impl Garden {
 
     /// The garden with a part for each kind and material.
     pub fn model(&self) -> Model {
-        let (mut parts, materials) = self.ground_parts();
+        let (mut parts, materials) = self.parts_alone();
         for (kind, stock) in self.stock.kinds.iter().enumerate() {
             let surfaces = || stock.individuals.iter().flat_map(|individual| &individual.surfaces);
             let of_kind: BTreeSet<usize> = surfaces().map(|surface| surface.material).collect();
@@ -112,7 +119,7 @@ impl Garden {
 
     /// The garden with a mesh for each individual that is there.
     pub fn instanced(&self) -> InstancedModel {
-        let (parts, materials) = self.ground_parts();
+        let (parts, materials) = self.parts_alone();
         let mut poses: Vec<Vec<Vec<Pose>>> =
             self.stock.kinds.iter().map(|kind| vec![Vec::new(); kind.individuals.len()]).collect();
         for Place { kind, variant, at, rotation, scale } in &self.places {
@@ -130,15 +137,31 @@ impl Garden {
         InstancedModel { groups: groups.collect(), model: Model { parts, materials } }
     }
 
-    /// The ground, and the materials of everything: the individuals' first.
-    fn ground_parts(&self) -> (Vec<Part>, Vec<Material>) {
-        let mut materials = self.stock.materials.clone();
-        let Some((mesh, own)) = &self.ground else { return (Vec::new(), materials) };
+    /// What there is once: the ground and the walls. With the materials of everything, the individuals' first.
+    fn parts_alone(&self) -> (Vec<Part>, Vec<Material>) {
+        let (mut parts, mut materials) = (Vec::new(), self.stock.materials.clone());
+        if let Some((mesh, own)) = &self.ground {
+            let first = materials.len();
+            materials.extend(own.iter().cloned());
+            let more_materials = (first + 1..first + own.len()).collect();
+            let ground = bare("ground".into(), PartKind::Ground, first);
+            parts.push(Part { mesh: Arc::new(mesh.clone()), more_materials, ..ground });
+        }
         let first = materials.len();
-        materials.extend(own.iter().cloned());
-        let more_materials = (first + 1..first + own.len()).collect();
-        let ground = bare("ground".into(), PartKind::Ground, first);
-        (vec![Part { mesh: Arc::new(mesh.clone()), more_materials, ..ground }], materials)
+        let most = self.walls.iter().map(|wall| wall.surfaces.len()).max().unwrap_or(0);
+        let names = materials.iter().map(|material| (&*material.name).into()).collect();
+        let named = |material: Material| Material {
+            name: unused(&names, (&*material.name).into()).to_string(),
+            ..material
+        };
+        materials.extend(walls::materials().into_iter().take(most).map(named));
+        parts.extend(self.walls.iter().zip(1..).filter_map(|(wall, number)| {
+            let mesh = one_mesh(wall.surfaces.iter())?;
+            let more_materials = (first + 1..first + wall.surfaces.len()).collect();
+            let part = bare(format_smolstr!("wall_{number}"), PartKind::Organ(OrganKind::Pot), first);
+            Some(Part { mesh: Arc::new(mesh), more_materials, ..part })
+        }));
+        (parts, materials)
     }
 }
 
@@ -202,13 +225,19 @@ fn bare(name: SmolStr, kind: PartKind, material: usize) -> Part {
 /// An individual as one part with all its materials; none without any surface.
 fn whole(name: SmolStr, individual: &Individual) -> Option<Part> {
     let (first, more) = individual.surfaces.split_first()?;
-    let mut mesh = Mesh::clone(&first.mesh);
-    for surface in more {
-        mesh.breaks.push(mesh.triangles.len() as u32);
-        mesh.append(&surface.mesh);
-    }
+    let mesh = one_mesh(individual.surfaces.iter().map(|surface| &*surface.mesh))?;
     let more_materials = more.iter().map(|surface| surface.material).collect();
     Some(Part { mesh: Arc::new(mesh), more_materials, ..bare(name, first.kind, first.material) })
+}
+
+/// Surfaces of one part, each with a material of its own.
+fn one_mesh<'a>(mut surfaces: impl Iterator<Item = &'a Mesh>) -> Option<Mesh> {
+    let mut mesh = surfaces.next()?.clone();
+    for surface in surfaces {
+        mesh.breaks.push(mesh.triangles.len() as u32);
+        mesh.append(surface);
+    }
+    Some(mesh)
 }
 
 #[cfg(test)]
@@ -247,7 +276,7 @@ mod tests {
         };
         let places = vec![place(1, 0.0, 0.3), place(0, 2.0, 1.0), place(1, 5.0, 4.0)];
         let ground = Some((mesh(0.1), vec![Material::plain("soil", [0.1; 3])]));
-        Garden { stock: Stock { materials, kinds: vec![kind] }, places, ground }
+        Garden { stock: Stock { materials, kinds: vec![kind] }, places, ground, walls: Vec::new() }
     }
 
     #[test]

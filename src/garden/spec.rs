@@ -9,6 +9,8 @@ use super::ground::Ground;
 use super::ground_mesh::{self, GroundMeshError};
 use super::plan::{Kind, Plan, PlanError, Stands, Variation};
 use super::tiles::TileSet;
+use super::walls::{Wall, WallError, WallSpec};
+use crate::geom::polyline;
 use crate::{input, quote};
 use glam::Vec2;
 use serde::de::Error as _;
@@ -46,6 +48,8 @@ crate::parameters! {
         beds: Vec<BedSpec> = Vec::new();
         /// Where nothing grows.
         paths: Vec<GardenPath> = Vec::new();
+        /// What some plants climb on.
+        walls: Vec<WallSpec> = Vec::new();
         /// What the ground is like.
         ground: GroundSpec = GroundSpec::default();
         sections:
@@ -115,6 +119,8 @@ crate::parameters! {
         others:
         /// The bed that it grows in; none for the ground outside of all.
         bed: Option<String> = None;
+        /// The wall that it climbs on, before both faces where neither `lines` nor `at` says where.
+        wall: Option<String> = None;
         /// Lines along which it stands.
         lines: Vec<Vec<Vec2>> = Vec::new(), checked_lines;
         /// Where single ones of it stand.
@@ -170,7 +176,10 @@ impl KindSpec {
 
     /// Where its plants stand.
     fn stands(&self) -> Stands {
-        let KindFields { rows, rows_angle, lines, at, .. } = &self.fields;
+        let KindFields { rows, rows_angle, lines, at, wall, .. } = &self.fields;
+        if wall.is_some() {
+            return Stands::Before(at.clone());
+        }
         match (&lines[..], &at[..]) {
             ([], []) if *rows > 0.0 => Stands::Rows { apart: *rows, angle: *rows_angle },
             ([], []) => Stands::Spread,
@@ -194,7 +203,13 @@ impl TryFrom<KindFields> for KindSpec {
         if ways.iter().filter(|is_given| **is_given).count() > 1 {
             return Err("plants stand in one way; give one of `rows`, `lines` and `at`");
         }
+        if fields.wall.is_some() && (fields.rows > 0.0 || fields.height > 0.0) {
+            return Err("what climbs on a wall grows there; leave out `rows` and `height`, and give `age`");
+        }
         match (origins.next(), origins.next()) {
+            (Some(Origin::Drawing(_) | Origin::Model(_)), _) if fields.wall.is_some() => Err(
+                "only species that grow climb on walls; leave out `wall`, or give a `species`, such as ivy",
+            ),
             (Some(_), Some(_)) => {
                 Err("plants are made from one thing; give one of `species`, `drawing` and `model`")
             }
@@ -287,6 +302,32 @@ pub enum GardenError {
     /// Two beds have one name.
     #[error("two beds are called `{0}`; give each a name of its own")]
     TwoBeds(String),
+    /// A wall cannot be built.
+    #[error("the wall {name}: {fault}")]
+    Wall {
+        /// What it is called.
+        name: String,
+        /// What is wrong with it.
+        fault: WallError,
+    },
+    /// Plants climb on a wall that there is not.
+    #[error("{whose}: there is no wall `{wall}`{known}")]
+    NoWall {
+        /// Whose wall it should be.
+        whose: String,
+        /// What it is called.
+        wall: String,
+        /// Which ones there are.
+        known: String,
+    },
+    /// It is not clear where plants climb on a wall.
+    #[error("{whose}: the wall `{wall}` is from a file; say where its plants stand with `lines` or `at`")]
+    NoFeet {
+        /// Whose plants.
+        whose: String,
+        /// Their wall.
+        wall: String,
+    },
     /// Plants grow in a bed that there is not.
     #[error("{whose}: there is no bed `{bed}`{known}")]
     NoBed {
@@ -343,7 +384,8 @@ impl GardenSpec {
         });
         let maps = self.plants.iter().filter_map(|kind| kind.fields.map.as_deref());
         let own = [&self.map, &self.ground.map, &self.ground.mesh].into_iter().filter_map(Option::as_deref);
-        origins.chain(maps).chain(own).map(|file| folder.join(file)).collect()
+        let walls = self.walls.iter().filter_map(|wall| wall.mesh.as_deref());
+        origins.chain(maps).chain(own).chain(walls).map(|file| folder.join(file)).collect()
     }
 
     /// What shares that were given sum to in the first bed, or outside of all, where that is not 1.
@@ -378,8 +420,10 @@ impl GardenSpec {
             (spacing, _) => spacing,
         };
         let or = |value: f32, other: f32| if value > 0.0 { value } else { other };
+        let ground = self.ground(&area, folder)?;
+        let walls = self.walls(&ground, folder)?;
         let kinds = self.plants.iter().map(|kind| {
-            let (name, fields, stands) = (kind.origin.name(), &kind.fields, kind.stands());
+            let (name, fields) = (kind.origin.name(), &kind.fields);
             let map = fields.map.as_ref();
             let map = map.map(|map| density_map(name, &folder.join(map))).transpose()?;
             let variants = if fields.variants > 0 { fields.variants } else { self.variants };
@@ -389,9 +433,17 @@ impl GardenSpec {
             if let Some(&at) = fields.at.iter().find(|at| !area.contains(**at)) {
                 return Err(GardenError::Outside { whose: quote::name(name), at });
             }
-            Ok(Kind { share, spacing: or(fields.spacing, spacing), variants, map, bed, stands })
+            let apart = or(fields.spacing, spacing);
+            let (stands, wall) = match &fields.wall {
+                None => (kind.stands(), None),
+                Some(wall) => {
+                    let number = wall_of(&walls, name, wall)?;
+                    (feet(kind, &walls[number], apart, &area)?, Some(number))
+                }
+            };
+            Ok(Kind { share, spacing: apart, variants, map, bed, stands, wall })
         });
-        let ground = self.ground(&area, folder)?;
+        let kinds = kinds.collect::<Result<_, GardenError>>()?;
         let map = self.map.as_ref().map(|map| density_map("the garden", &folder.join(map))).transpose()?;
         Ok(Plan {
             seed: self.seed,
@@ -400,7 +452,8 @@ impl GardenSpec {
             ground,
             paths: self.paths.clone(),
             beds: self.areas_of_beds()?,
-            kinds: kinds.collect::<Result<_, GardenError>>()?,
+            kinds,
+            walls,
             variation: self.variation.clone(),
             area,
         })
@@ -424,16 +477,22 @@ impl GardenSpec {
         Ok(Ground::of_map(map, range, area.bounds()))
     }
 
+    /// The walls on their ground.
+    fn walls(&self, ground: &Ground, folder: &Path) -> Result<Vec<Wall>, GardenError> {
+        let built = |wall: &WallSpec| {
+            let fault = |fault| GardenError::Wall { name: quote::name(&wall.name), fault };
+            wall.built(ground, folder).map_err(fault)
+        };
+        self.walls.iter().map(built).collect()
+    }
+
     /// The number of a bed.
     fn bed(&self, whose: &str, name: &str) -> Result<usize, GardenError> {
         let names: Vec<&str> = self.beds.iter().map(|bed| &*bed.name).collect();
         names.iter().position(|bed| *bed == name).ok_or_else(|| GardenError::NoBed {
             whose: quote::name(whose),
             bed: quote::name(name),
-            known: match &names[..] {
-                [] => "; add a section [[beds]] with this name and an outline".to_owned(),
-                names => format!("; there are {}", quote::name(&names.join(", "))),
-            },
+            known: known(&names, "; add a section [[beds]] with this name and an outline"),
         })
     }
 
@@ -447,6 +506,37 @@ impl GardenSpec {
         }
         self.beds.iter().map(|bed| bed.outline.area().map_err(GardenError::Area)).collect()
     }
+}
+
+/// The number of a wall.
+fn wall_of(walls: &[Wall], whose: &str, name: &str) -> Result<usize, GardenError> {
+    let names: Vec<&str> = walls.iter().map(|wall| &*wall.name).collect();
+    names.iter().position(|wall| *wall == name).ok_or_else(|| GardenError::NoWall {
+        whose: quote::name(whose),
+        wall: quote::name(name),
+        known: known(&names, "; add a section [[walls]] with this name and a line"),
+    })
+}
+
+/// Which names there are, or what to do where there are none.
+fn known(names: &[&str], none: &str) -> String {
+    if names.is_empty() { none.to_owned() } else { format!("; there are {}", quote::name(&names.join(", "))) }
+}
+
+/// Where the plants of a kind stand before their wall.
+fn feet(kind: &KindSpec, wall: &Wall, apart: f32, area: &Area) -> Result<Stands, GardenError> {
+    let KindFields { lines, at, .. } = &kind.fields;
+    let feet = match (&lines[..], &at[..]) {
+        ([], []) if wall.line.is_none() => {
+            let (whose, wall) = (quote::name(kind.origin.name()), quote::name(&wall.name));
+            return Err(GardenError::NoFeet { whose, wall });
+        }
+        ([], []) => wall.feet(apart),
+        (lines, at) => {
+            lines.iter().flat_map(|line| polyline::spaced(line, apart)).chain(at.iter().copied()).collect()
+        }
+    };
+    Ok(Stands::Before(feet.into_iter().filter(|foot| area.contains(*foot)).collect()))
 }
 
 fn read_map(whose: &str, file: &Path) -> Result<GreyMap, GardenError> {
@@ -524,6 +614,30 @@ mod tests {
         assert!(laid_out(&twice).contains("two beds are called `round`"));
         assert!(refused(&format!("{text}rows = 2")).contains("give one of `rows`, `lines` and `at`"));
         assert!(refused(&text.replace("[[-5, 0], [5, 0]]", "[[-5, 0]]")).contains("2 to"));
+    }
+
+    #[test]
+    fn walls_and_what_climbs_on_them_are_read() {
+        let text = "area = \"20x10\"\n[[walls]]\nname = \"north\"\nline = [[-5, -2], [5, -2]]\n\
+                    [[plants]]\nspecies = \"ivy\"\nwall = \"north\"\nspacing = 2\n";
+        let plan = |text: &str| {
+            let spec = GardenSpec::from_toml(text, "a.toml").unwrap();
+            spec.plan(&TileSet::new(1, 1), Path::new("nowhere"))
+        };
+        let laid_out = plan(text).unwrap();
+        assert_eq!(laid_out.before_wall_of(0).unwrap().feet.len(), 10);
+        let lines = plan(&format!("{text}lines = [[[-4, -1.7], [4, -1.7]]]\n")).unwrap();
+        assert_eq!(lines.before_wall_of(0).unwrap().feet.len(), 5);
+        let fault = |text: &str| plan(text).unwrap_err().to_string();
+        assert_eq!(
+            fault(&text.replace("wall = \"north\"", "wall = \"noth\"")),
+            "ivy: there is no wall `noth`; there are north"
+        );
+        let file = text.replace("line = [[-5, -2], [5, -2]]", "mesh = \"house.obj\"");
+        assert!(fault(&file).contains("the wall north") && fault(&file).contains("house.obj"));
+        assert!(refused(&format!("{text}height = 2")).contains("leave out `rows` and `height`"));
+        let drawing = text.replace("species = \"ivy\"", "drawing = \"a.svg\"");
+        assert!(refused(&drawing).contains("only species that grow"));
     }
 
     #[test]

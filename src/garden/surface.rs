@@ -372,7 +372,8 @@ mod tests {
         let area = Area::polygon(corners.iter().copied().map(Vec2::from).collect()).unwrap();
         let variation = Default::default();
         let (beds, kinds) = (Vec::new(), Vec::new());
-        Plan { seed: 1, area, density: None, map: None, ground, paths, beds, kinds, variation }
+        let walls = Vec::new();
+        Plan { seed: 1, area, density: None, map: None, ground, paths, walls, beds, kinds, variation }
     }
 
     const SQUARE: [[f32; 2]; 4] = [[-4.0, -4.0], [4.0, -4.0], [4.0, 4.0], [-4.0, 4.0]];

@@ -23,3 +23,6 @@ pub mod segment_index;
 pub mod simple_loop;
 pub mod simplify;
 pub mod weld;
+
+/// The golden angle, π·(3 − √5), radians.
+pub const GOLDEN_RAD: f32 = 2.399_963_2;

@@ -76,6 +76,18 @@ pub fn interpolate<P: Point>(points: &[P], (i, share): (usize, f32)) -> P {
     }
 }
 
+/// Points along a line from end to end, at least so far apart; one where it is shorter. A closed line ends before its beginning.
+pub fn spaced<P: Point + PartialEq>(line: &[P], spacing: f32) -> Vec<P> {
+    let arcs = arc_lengths(line.iter().copied());
+    let length = arcs.last().copied().unwrap_or_default();
+    let steps = (length / spacing + 1e-3).floor().max(1.0);
+    // The end of a closed line is its beginning.
+    let is_closed = line.first() == line.last();
+    let count = if length < spacing { 1 } else { steps as usize + usize::from(!is_closed) };
+    let point = |k: usize| interpolate(line, locate(&arcs, length * k as f32 / steps));
+    (0..count).map(point).collect()
+}
+
 /// Point of the segment `a`–`b` nearest to `p`, as the share of the segment before it.
 pub fn nearest_share<P: Point>(a: P, b: P, p: P, dot: impl Fn(P, P) -> f32) -> f32 {
     let ab = b - a;
@@ -125,5 +137,17 @@ mod tests {
     fn nearest_finds_the_closest_segment() {
         assert_eq!(nearest(&L, Vec2::new(5.0, 2.0)), Some((2.0, 5.0)));
         assert_eq!(nearest(&[], Vec2::ZERO), None);
+    }
+
+    #[test]
+    fn spaced_points_reach_from_end_to_end() {
+        let line = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(3.0, 2.0)];
+        let points = spaced(&line, 0.9);
+        assert_eq!(points.len(), 6);
+        assert!(points[0] == line[0] && points[5].distance(line[2]) < 1e-6);
+        assert!(points[..4].windows(2).all(|two| (two[0].distance(two[1]) - 1.0).abs() < 1e-5), "{points:?}");
+        assert_eq!(spaced(&line, 40.0), [Vec2::ZERO]);
+        let around = [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y, Vec2::ZERO];
+        assert_eq!(spaced(&around, 0.5).len(), 8);
     }
 }

@@ -46,6 +46,19 @@ impl Mesh {
         mesh
     }
 
+    /// A surface of which each face is flat, without UVs.
+    pub fn faceted(points: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        let mut mesh = Self { points: points.to_vec(), ..Self::default() };
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|i| points[i as usize]);
+            let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
+            let first = mesh.vertices.len() as u32;
+            mesh.vertices.extend(triangle.map(|point| Vertex { point, normal, uv: Vec2::ZERO }));
+            mesh.triangles.push([first, first + 1, first + 2]);
+        }
+        mesh
+    }
+
     /// The point indices of a triangle.
     pub fn point_triangle(&self, triangle: [u32; 3]) -> [u32; 3] {
         triangle.map(|v| self.vertices[v as usize].point)

@@ -1,9 +1,10 @@
-//! The maker of flowers without a drawing: a stem with one flower bud at its end, or an inflorescence with many. The species
-//! opens them.
+//! The maker of flowers without a drawing: a stem with one flower bud at its end, or an inflorescence with many, several of
+//! them where the plant is a clump, and the leaves of the stems. The species opens the buds.
 
-use super::figure_plant;
 use super::setup::Params;
 use super::source::{Bloom, Produced};
+use super::stem_leaves;
+use super::{clump, figure_plant};
 use crate::plant::{Branch, FlowerBud, FlowerBuds, Origin, Plant, Role, WoodPart};
 use crate::random::stream;
 use crate::sketch::{Remark, Warning};
@@ -19,17 +20,21 @@ const TAPER: f32 = 0.8;
 
 /// Makes the plant of one flower, or of an inflorescence.
 pub(super) fn produce(bloom: &Bloom, (species, params): (&Species, &Params)) -> Produced {
-    let (made, remarks) = match &params.flower.inflorescence {
-        None => (single(&params.flower.bloom, bloom.number), Vec::new()),
-        Some(inflorescence) => match inflorescence.draw(bloom.number, params.flower.open) {
-            Ok(figure) => (figure_plant::plant_of(&figure, species), Vec::new()),
-            Err(error) => {
-                let remark = Remark::GrammarStopped { fault: error.to_string() };
-                (Default::default(), vec![Warning { stroke: None, remark }])
-            }
-        },
+    let flower = &params.flower;
+    let one = |seed: u64| match &flower.inflorescence {
+        None => Ok(single(&flower.bloom, seed)),
+        Some(inflorescence) => {
+            inflorescence.draw(seed, flower.open).map(|figure| figure_plant::plant_of(&figure, species))
+        }
     };
-    let (plant, buds) = made;
+    let ((mut plant, buds), remarks) = match clump::grow(&flower.clump, bloom.number, one) {
+        Ok(made) => (made, Vec::new()),
+        Err(error) => {
+            let remark = Remark::GrammarStopped { fault: error.to_string() };
+            (Default::default(), vec![Warning { stroke: None, remark }])
+        }
+    };
+    stem_leaves::grow(&mut plant, &flower.leaves, species, bloom.number);
     Produced { plant, buds, remarks, obstacles: params.obstacle.beside(Vec3::ZERO), ..Produced::default() }
 }
 

@@ -1,15 +1,14 @@
 //! What a grammar drew, as a plant: stems become branches, organs what the species has for them.
 
+use super::stem_leaves;
 use crate::grammar::{Figure, Item};
 use crate::plant::{
-    Blade, BladeForm, Branch, Detail, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, RestSurface,
-    Role, Shape, Template, TemplateId, WoodPart,
+    Blade, BladeForm, Branch, FlowerBud, FlowerBuds, Organ, OrganPart, Origin, Plant, RestSurface, Role,
+    Shape, TemplateId, WoodPart,
 };
 use crate::species::Species;
 use glam::Vec2;
 
-/// Leaves from which on they are of reduced detail.
-const MANY_LEAVES: usize = 60;
 /// How a fruit swells from its foot to its top: shares of its radius and of its height.
 const FRUIT: [(f32, f32); 7] =
     [(0.0, 0.0), (0.45, 0.06), (0.85, 0.28), (1.0, 0.55), (0.85, 0.82), (0.4, 0.97), (0.0, 1.0)];
@@ -20,10 +19,7 @@ const FRUIT_HEIGHT: f32 = 2.2;
 pub(super) fn plant_of(figure: &Figure, species: &Species) -> (Plant, FlowerBuds) {
     let mut plant = Plant { branches: branches(figure), ..Plant::default() };
     let leaves = figure.items.iter().filter(|item| matches!(&*item.name, "leaf" | "bract")).count();
-    let is_rich = leaves > MANY_LEAVES || species.leaf.compound.is_some();
-    let detail = if is_rich { Detail::Reduced } else { Detail::Moderate };
-    let template = Template::new(species.leaf.outline.points(), Vec::new(), 1.0, detail);
-    let template = plant.templates.add(template);
+    let template = stem_leaves::template(&mut plant, species, leaves);
     plant.organs = figure.items.iter().filter_map(|item| organ(item, template)).collect();
     plant.drop_unused_templates();
     let looks = species.looks_of_florets();

@@ -12,6 +12,7 @@ use super::levels::{Level, levels};
 use super::setup::Params;
 use super::source::{Bloom, Seed, Source};
 use super::{Built, build, triangle_budget};
+use crate::garden::BeforeWall;
 use crate::model::Model;
 use crate::sketch::Sketch;
 use crate::species::Species;
@@ -21,6 +22,10 @@ use rayon::prelude::*;
 const TRIANGLES_OF_ALL: (usize, usize) = (20_000_000, 500_000);
 /// Most triangles that each has then.
 const MOST_TRIANGLES: usize = 40_000;
+/// How many times its triangles an inflorescence may have at its coarsest; one of more that has many small flowers is made of cards.
+const TOO_FINE: f32 = 2.0;
+/// How many flowers are many, and how far each reaches at most, share of the plant's height: nobody looks at one of them.
+const SMALL_FLOWERS: (usize, f32) = (20, 0.05);
 /// Fewest triangles that it becomes coarser for; it may have more at its coarsest.
 pub const FEWEST_TRIANGLES: u32 = 2000;
 
@@ -57,6 +62,8 @@ pub enum Grower {
         first_seed: u64,
         /// What they are made of.
         form: Form,
+        /// What each has beside it, and where it grows; nothing of plants that are copied.
+        before: Option<BeforeWall>,
     },
     /// A drawing.
     Drawing {
@@ -75,8 +82,8 @@ pub enum Grower {
 
 impl Grower {
     /// Makes individuals of at most about so many triangles, or of as many as its parameters say. Flowers and leaves of roses and
-    /// blooms all stay while they are no cards, so there may be more; trees, drawings and cards lose foliage where they must, as
-    /// `model.budget.triangles` says.
+    /// blooms all stay, so there may be more; blooms of many small flowers with more than twice as many are made of cards. Trees, drawings
+    /// and cards lose foliage where they must, as `model.budget.triangles` says.
     pub fn fit(&mut self, usual: u32) {
         let (species, params, form) = match self {
             Self::Species { species, params, form, .. } => (Some(species), params, *form),
@@ -90,30 +97,41 @@ impl Grower {
         if form == Form::Billboards {
             return;
         }
-        let is_too_fine = |built: &Built| built.model.triangle_count() > wanted as usize;
-        let Some(built) = self.built(0).filter(is_too_fine) else { return };
-        match self {
-            Self::Species { params, .. } | Self::Drawing { params, .. } if may_thin => {
-                params.model.budget.triangles = wanted;
-            }
-            Self::Species { params, .. } | Self::Drawing { params, .. } => {
-                params.model = triangle_budget::coarsened(&built.plant, &params.model, u64::from(wanted));
-            }
-            Self::Model(_) => {}
+        let has_more = |built: &Built, than: f32| built.model.triangle_count() as f32 > than;
+        let Some(built) = self.built(0).filter(|built| has_more(built, wanted as f32)) else { return };
+        let (Self::Species { params, .. } | Self::Drawing { params, .. }) = self else { return };
+        if may_thin {
+            params.model.budget.triangles = wanted;
+            return;
+        }
+        params.model = triangle_budget::coarsened(&built.plant, &params.model, u64::from(wanted));
+        let is_rose = params.rose.is_some();
+        let too_many = TOO_FINE * wanted as f32;
+        // Roses are looked at for each of their flowers.
+        let is_too_fine = |built: &Built| !is_rose && has_more(built, too_many) && has_small_flowers(built);
+        if self.built(0).is_some_and(|built| is_too_fine(&built)) {
+            let (Self::Species { params, .. } | Self::Drawing { params, .. }) = self else { return };
+            params.cards.used = true;
+            params.model.budget.triangles = wanted;
         }
     }
 
     /// How many individuals there are if so many are wanted.
     pub fn variants(&self, wanted: u32) -> u32 {
-        if matches!(self, Self::Model(_)) { 1 } else { wanted.max(1) }
+        match self {
+            Self::Model(_) => 1,
+            Self::Species { before: Some(before), .. } => before.feet.len() as u32,
+            _ => wanted.max(1),
+        }
     }
 
     /// A finished individual; none of a finished model.
     fn built(&self, variant: u32) -> Option<Built> {
         match self {
-            Self::Species { species, params, age, first_seed, form: _ } => {
+            Self::Species { species, params, age, first_seed, form: _, before } => {
                 let number = first_seed + u64::from(variant);
-                let seed = Seed { number, age: *age, ..Seed::default() };
+                let obstacles = before.as_ref().and_then(|before| before.seen_from(variant));
+                let seed = Seed { number, age: *age, obstacles, ..Seed::default() };
                 let grows = species.growth.is_some() || species.rose.is_some();
                 let bloom = Bloom { number };
                 let source = if grows { Source::Seed(&seed) } else { Source::Bloom(&bloom) };
@@ -150,6 +168,14 @@ impl Grower {
     }
 }
 
+/// Whether a plant has many flowers of which each is small.
+fn has_small_flowers(built: &Built) -> bool {
+    let height = built.model.bounds().map_or(0.0, |(low, high)| high.y - low.y);
+    let flowers = &built.plant.flowers;
+    let (many, share) = SMALL_FLOWERS;
+    flowers.len() >= many && flowers.iter().all(|flower| flower.reach <= share * height)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,8 +193,10 @@ mod tests {
     #[test]
     fn individuals_become_coarser_until_they_fit_and_keep_all_their_triangles_in_a_stock() {
         let species = Box::new(Species::built_in("daisy").unwrap());
-        let params = Box::new(super::super::params_of_species(&species, &[]).unwrap());
-        let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form: Form::Whole };
+        let alone = ["flower.clump.stems=1".to_owned()];
+        let params = Box::new(super::super::params_of_species(&species, &alone).unwrap());
+        let mut grower =
+            Grower::Species { species, params, age: None, first_seed: 1, form: Form::Whole, before: None };
         let whole = grower.grow(0).0.triangle_count();
         grower.fit(25_000);
         let fitted = grower.grow(0).0;

@@ -94,7 +94,7 @@ pub(super) fn lay_out(
     let laid = Laying { drawn, sketch, params, season, plants, placed: &placed };
     let (stock, places) = clock.time("garden", || laid.planted(memory, &mut remarks, stop))?;
     let ground = clock.time("ground", || painted::ground(&sketch.garden, (&placed, &params.garden)));
-    let garden = Some(Garden { stock, places, ground });
+    let garden = Some(Garden { stock, places, ground, walls: Vec::new() });
     Some(LaidOut { garden, remarks, stages: clock.take() })
 }
 

@@ -3,9 +3,9 @@
 
 use super::finish::Built;
 use crate::growth::Obstacles;
-use crate::model::{Mesh, Model, Part, PartKind, Vertex};
+use crate::model::{Mesh, Model, Part, PartKind};
 use crate::plant::{Material, OrganKind};
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -26,6 +26,7 @@ pub fn seen(built: &Built) -> Cow<'_, Model> {
 
 fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {
     let mut model = model.clone();
+    let (points, triangles) = obstacles.mesh();
     let material = model.materials.len();
     model.materials.push(Material { double_sided: true, ..Material::plain("obstacle", COLOUR) });
     model.parts.push(Part {
@@ -36,24 +37,11 @@ fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {
         pivot: Vec3::ZERO,
         material,
         more_materials: Vec::new(),
-        mesh: Arc::new(faceted(obstacles)),
+        // Walls and slats have sharp edges.
+        mesh: Arc::new(Mesh::faceted(points, triangles)),
         copies: None,
     });
     model
-}
-
-/// Each face with its own normal: walls and slats have sharp edges.
-fn faceted(obstacles: &Obstacles) -> Mesh {
-    let (points, triangles) = obstacles.mesh();
-    let mut mesh = Mesh { points: points.to_vec(), ..Mesh::default() };
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|i| points[i as usize]);
-        let Some(normal) = (b - a).cross(c - a).try_normalize() else { continue };
-        let first = mesh.vertices.len() as u32;
-        mesh.vertices.extend(triangle.map(|point| Vertex { point, normal, uv: Vec2::ZERO }));
-        mesh.triangles.push([first, first + 1, first + 2]);
-    }
-    mesh
 }
 
 #[cfg(test)]

@@ -5,14 +5,13 @@
 
 use super::looks::{Arrangement, FilamentLook};
 use super::seat::Seat;
+use crate::geom::GOLDEN_RAD;
 use crate::plant::Shape;
 use glam::{Vec2, Vec3};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use std::f32::consts::{PI, TAU};
 
-/// π·(3 − √5), radians.
-const GOLDEN_ANGLE: f32 = 2.399_963_2;
 /// Largest angle from the axis, as a share of the petals' own.
 const INSIDE: f32 = 0.85;
 /// How deep a filament is rooted in the disc, as a share of its length.
@@ -46,9 +45,9 @@ fn skeleton(
         Arrangement::Whorl => (TAU * share + PI / count as f32 * (wobble(0.5) - 1.0), 1.0),
         Arrangement::Spiral => {
             let inner = look.ring_from * look.ring_from;
-            (GOLDEN_ANGLE * i as f32, (inner + (1.0 - inner) * share).sqrt())
+            (GOLDEN_RAD * i as f32, (inner + (1.0 - inner) * share).sqrt())
         }
-        Arrangement::Column => (GOLDEN_ANGLE * i as f32, 1.0),
+        Arrangement::Column => (GOLDEN_RAD * i as f32, 1.0),
     };
     let radial = seat.around(angle);
     let ring = look.ring * seat.radius * outward;

@@ -1,8 +1,9 @@
 //! The parameters of a species' flowers, `flower.…`: what its file says, as the artist changes it.
 
 use super::inflorescence::Inflorescence;
-use super::looks::{BloomLook, Species};
+use super::looks::{BloomLook, ClumpLook, Species};
 use crate::flower::Layers;
+use crate::leaf::StemLeaves;
 use std::borrow::Cow;
 
 crate::parameters! {
@@ -17,6 +18,10 @@ crate::parameters! {
         inflorescence: Option<Inflorescence> = None;
         /// One flower that is made without a drawing.
         bloom: BloomLook = BloomLook::default();
+        /// How many of them one plant sends up.
+        clump: ClumpLook = ClumpLook::default();
+        /// Leaves along its stem, or that of an inflorescence.
+        leaves: StemLeaves = StemLeaves::default();
     }
 }
 
@@ -25,7 +30,8 @@ impl FlowerParams {
     pub fn of(species: &Species) -> Self {
         let layers = species.flowers.iter().find_map(|look| look.layers.clone());
         let (bloom, inflorescence) = (species.bloom.clone(), species.inflorescence.clone());
-        Self { layers, inflorescence, bloom, ..Self::default() }
+        let (clump, leaves) = (species.clump.clone(), species.stem_leaves.clone());
+        Self { layers, inflorescence, bloom, clump, leaves, ..Self::default() }
     }
 
     /// The species with these flowers.
@@ -35,6 +41,8 @@ impl FlowerParams {
         }
         let mut changed = species.clone();
         changed.bloom = self.bloom.clone();
+        changed.clump = self.clump.clone();
+        changed.stem_leaves = self.leaves.clone();
         changed.inflorescence.clone_from(&self.inflorescence);
         if let Some(first) = changed.flowers.iter_mut().find(|look| look.layers.is_some()) {
             first.layers.clone_from(&self.layers);

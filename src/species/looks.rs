@@ -7,7 +7,7 @@
 use super::inflorescence::Inflorescence;
 use crate::flower::Layers;
 use crate::growth::Habit;
-use crate::leaf::{Compound, LeafOutline};
+use crate::leaf::{Compound, LeafOutline, StemLeaves};
 use crate::params::{ParamValue as _, Range};
 use crate::picture::Picture;
 use crate::plant::{BladeForm, Material, PlantPart, Texture};
@@ -43,6 +43,12 @@ pub struct Species {
     pub bloom: BloomLook,
     /// How flowers stand together that are made without a drawing; one alone if left out.
     pub inflorescence: Option<Inflorescence>,
+    /// How many of them one plant sends up.
+    #[serde(default)]
+    pub clump: ClumpLook,
+    /// Leaves along the stem of a flower or inflorescence that is made without a drawing.
+    #[serde(default)]
+    pub stem_leaves: StemLeaves,
     /// Small flowers among the leaves of a tree.
     pub blossom: Option<BlossomLook>,
     /// What the year does to leaves.
@@ -349,6 +355,20 @@ crate::parameters! {
         bow: f32 = 0.06, 0.0..=0.5, "of its length";
         /// How far the flower leans toward the viewer.
         lean_deg: f32 = 25.0, 0.0..=120.0, "degrees";
+    }
+}
+
+crate::parameters! {
+    /// Flowers or inflorescences from one root, made without a drawing.
+    pub struct ClumpLook {
+        /// Stems that come out of the ground.
+        stems: u32 = 1, 1..=60, "";
+        /// Distance of the outermost from the middle at the ground.
+        spread: f32 = 0.02, 0.0..=1.0, "metres";
+        /// How far the outermost lean outward.
+        lean_deg: f32 = 14.0, 0.0..=80.0, "degrees";
+        /// How much smaller than the one in the middle others are at most.
+        vary: f32 = 0.25, 0.0..=0.9, "";
     }
 }
 

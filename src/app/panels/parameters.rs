@@ -20,13 +20,15 @@ use std::sync::OnceLock;
 
 /// Groups in the order in which an artist comes to them: the plant as a whole, flowers and leaves, branches, what fills
 /// outlines, surfaces, and last what only matters where strokes were misunderstood.
-const ORDER: [&str; 38] = [
+const ORDER: [&str; 40] = [
     "depth.world",
     "season",
     "flower",
     "flower.layers",
     "flower.layers.outline",
     "flower.bloom",
+    "flower.clump",
+    "flower.leaves",
     "rose",
     "growth",
     "obstacle",

@@ -12,8 +12,9 @@
 //! so many-th stays, evenly over old and young wood alike, so that the crown grows thinner but nowhere bare.
 
 use super::chains::Chains;
+use crate::geom::GOLDEN_RAD;
+use crate::growth::habit::Arrangement;
 use crate::growth::habit::leaf::{self, LeafHabit, LeafPose};
-use crate::growth::habit::{Arrangement, GOLDEN_RAD};
 use crate::growth::simulation::Simulation;
 use crate::growth::tree::{NONE, Tree};
 use crate::growth::volume::Envelope;

@@ -5,8 +5,8 @@
 
 use super::Furnish;
 use super::places::{Place, places};
+use crate::geom::GOLDEN_RAD;
 use crate::growth::at_age::{PlantAtAge, wood_names};
-use crate::growth::habit::GOLDEN_RAD;
 use crate::plant::{Branch, FlowerBud, GrownId, Motion, Origin, Plant, Provenance};
 use crate::random::{Choice, mix};
 use glam::{IVec3, Quat, Vec3};

@@ -6,8 +6,9 @@
 use super::own_leaves::OwnLeaves;
 use super::places::{Place, places};
 use super::{Furnish, PAINTED_AGE};
+use crate::geom::GOLDEN_RAD;
 use crate::growth::at_age::{PlantAtAge, wood_names};
-use crate::growth::habit::{Arrangement, GOLDEN_RAD, LeafPose, leaf};
+use crate::growth::habit::{Arrangement, LeafPose, leaf};
 use crate::plant::{
     Blade, BladeForm, Detail, GrownId, Organ, OrganPart, Origin, Provenance, RestSurface, Role, Shape,
     Template, TemplateId, Templates,

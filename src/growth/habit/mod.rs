@@ -9,6 +9,3 @@ pub use arrangement::Arrangement;
 pub use keys::{ClimbHabit, Control, CrownHabit, Habit, LightHabit, Profile, Resource, SpaceHabit, Toward};
 pub use leaf::{LeafHabit, LeafPose, LeafShape};
 pub use schedule::Schedule;
-
-/// Divergence of leaves that stand singly all around, radians: the golden angle.
-pub const GOLDEN_RAD: f32 = 2.399_963;
