@@ -19,6 +19,9 @@ picture() {
     "$PROGRAM" render "$work/plant.glb" -o "$work/$name.png" --size "$size" --view "$view"
 }
 
+# Flowers alone, on one stem without leaves.
+alone=(--set flower.clump.stems=1 --set flower.leaves.nodes=0 --set flower.leaves.rosette=0)
+
 # Every flower from three-quarter view.
 k=100
 for species in peony rose camellia lotus water_lily chrysanthemum dahlia carnation ranunculus marigold tulip lily poppy \
@@ -31,7 +34,7 @@ python3 scripts/sheet.py 8 docs/images/flowers.png "$work"/all-*.png
 for view in front side top; do
     k=100
     for species in peony rose camellia lotus chrysanthemum carnation; do
-        picture "$view-$((k += 1))" "$view" 260x260 bloom "$species" --set flower.bloom.stem=1.2
+        picture "$view-$((k += 1))" "$view" 260x260 bloom "$species" "${alone[@]}" --set flower.bloom.stem=1.2
     done
 done
 python3 scripts/sheet.py 6 docs/images/flowers-sides.png "$work"/front-*.png "$work"/side-*.png "$work"/top-*.png
@@ -46,7 +49,7 @@ python3 scripts/sheet.py 4 docs/images/orchid.png "$work"/orchid-{front,side,thr
 # From bud to full bloom.
 for species in peony rose camellia lotus; do
     for open in 0.0 0.2 0.4 0.6 0.8 1.0; do
-        picture "open-$species-$open" three-quarter 260x260 bloom "$species" --open "$open" --set flower.bloom.stem=1.5
+        picture "open-$species-$open" three-quarter 260x260 bloom "$species" --open "$open" "${alone[@]}" --set flower.bloom.stem=1.5
     done
 done
 python3 scripts/sheet.py 6 docs/images/flowers-opening.png "$work"/open-*.png
