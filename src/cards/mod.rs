@@ -150,13 +150,16 @@ struct Ranks {
 fn ranks(plant: &Plant, framed: &[(Cluster, Frame)], shoots: usize) -> Ranks {
     let has_flowers = |i: &usize| framed[*i].0.organs.iter().any(|organ| is_of_flower(&plant.organs[*organ]));
     let (flowering, leafy): (Vec<usize>, Vec<usize>) = (0..framed.len()).partition(has_flowers);
-    let of_flowering = match (flowering.len(), leafy.len()) {
-        (_, 0) => shoots,
-        (0, _) => 0,
-        (flowers, _) => (shoots * flowers).div_ceil(framed.len()).min(shoots.max(2) - 1),
+    let shoots = shoots.max(1);
+    let (of_leafy, of_flowering) = match (leafy.len(), flowering.len()) {
+        (0, _) | (_, 0) => (shoots, shoots),
+        (_, flowers) => {
+            let of_flowering = (shoots * flowers).div_ceil(framed.len());
+            ((shoots - of_flowering).max(1), of_flowering.min(shoots.max(2) - 1))
+        }
     };
     let mut ranks = Ranks { shown: Vec::new(), of_cluster: vec![0; framed.len()] };
-    for (mut order, shoots) in [(leafy, shoots.max(2) - of_flowering), (flowering, of_flowering)] {
+    for (mut order, shoots) in [(leafy, of_leafy), (flowering, of_flowering)] {
         order.sort_by_key(|&i| (framed[i].0.organs.len(), i));
         let shoots = shoots.min(order.len());
         for shoot in 0..shoots {

@@ -10,6 +10,7 @@ use super::ground_mesh::{self, GroundMeshError};
 use super::plan::{Kind, Plan, PlanError, Stands, Variation};
 use super::tiles::TileSet;
 use super::walls::{Wall, WallError, WallSpec};
+use crate::budget::GardenBudget;
 use crate::geom::polyline;
 use crate::{input, quote};
 use glam::Vec2;
@@ -320,6 +321,17 @@ pub enum GardenError {
         /// Which ones there are.
         known: String,
     },
+    /// More plants climb on a wall than are grown each by itself.
+    #[error(
+        "{whose}: about {plants:.0} plants would climb on the wall, each grown by itself; a garden has at most {} of them; choose a larger \
+         spacing", GardenBudget::GARDEN.variants
+    )]
+    TooManyClimbers {
+        /// Whose plants.
+        whose: String,
+        /// How many.
+        plants: f32,
+    },
     /// It is not clear where plants climb on a wall.
     #[error("{whose}: the wall `{wall}` is from a file; say where its plants stand with `lines` or `at`")]
     NoFeet {
@@ -526,6 +538,16 @@ fn known(names: &[&str], none: &str) -> String {
 /// Where the plants of a kind stand before their wall.
 fn feet(kind: &KindSpec, wall: &Wall, apart: f32, area: &Area) -> Result<Stands, GardenError> {
     let KindFields { lines, at, .. } = &kind.fields;
+    let own = wall
+        .line
+        .as_ref()
+        .filter(|_| lines.is_empty() && at.is_empty())
+        .map(|path| 2.0 * polyline::length(path.points()));
+    let metres = own.unwrap_or_default() + lines.iter().map(|line| polyline::length(line)).sum::<f32>();
+    let plants = metres / apart + at.len() as f32;
+    if plants > GardenBudget::GARDEN.variants as f32 {
+        return Err(GardenError::TooManyClimbers { whose: quote::name(kind.origin.name()), plants });
+    }
     let feet = match (&lines[..], &at[..]) {
         ([], []) if wall.line.is_none() => {
             let (whose, wall) = (quote::name(kind.origin.name()), quote::name(&wall.name));
@@ -635,6 +657,7 @@ mod tests {
         );
         let file = text.replace("line = [[-5, -2], [5, -2]]", "mesh = \"house.obj\"");
         assert!(fault(&file).contains("the wall north") && fault(&file).contains("house.obj"));
+        assert!(fault(&text.replace("spacing = 2", "spacing = 0.0001")).contains("about 200000 plants"));
         assert!(refused(&format!("{text}height = 2")).contains("leave out `rows` and `height`"));
         let drawing = text.replace("species = \"ivy\"", "drawing = \"a.svg\"");
         assert!(refused(&drawing).contains("only species that grow"));
