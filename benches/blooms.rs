@@ -20,6 +20,12 @@ fn with(name: &str, assignments: &[String]) -> (Species, Params) {
     (species, params)
 }
 
+/// A species of which one stem stands without leaves.
+fn alone(name: &str, assignment: String) -> (Species, Params) {
+    let bare = ["flower.clump.stems=1", "flower.leaves.rosette=0", "flower.leaves.nodes=0"];
+    with(name, &bare.map(str::to_owned).into_iter().chain([assignment]).collect::<Vec<_>>())
+}
+
 fn bloom((species, params): &(Species, Params)) -> Built {
     pipeline::build(&Bloom { number: 1 }, species, params)
 }
@@ -29,7 +35,7 @@ fn layers(c: &mut Criterion) {
     let mut group = c.benchmark_group("layers");
     group.sample_size(20);
     for count in [1, 2, 5, 10, 20] {
-        let mut made = with("chrysanthemum", &[format!("flower.layers.count={count}")]);
+        let mut made = alone("chrysanthemum", format!("flower.layers.count={count}"));
         made.1.flower.layers.as_mut().unwrap().petals = vec![(0, 15)];
         let per_flower = bloom(&made).plant.organs.len() as u64;
         group.throughput(Throughput::Elements(per_flower));
@@ -44,7 +50,7 @@ fn florets(c: &mut Criterion) {
     let mut group = c.benchmark_group("florets of a sunflower");
     group.sample_size(10);
     for count in [100, 300, 1000, 3000] {
-        let made = with("sunflower", &[format!("flower.inflorescence.n={count}")]);
+        let made = alone("sunflower", format!("flower.inflorescence.n={count}"));
         group.throughput(Throughput::Elements(count));
         group.bench_function(BenchmarkId::from_parameter(count), |b| {
             b.iter_with_large_drop(|| black_box(bloom(&made)));
@@ -57,8 +63,12 @@ fn florets(c: &mut Criterion) {
 fn opening(c: &mut Criterion) {
     let mut group = c.benchmark_group("one opening");
     for name in ["peony", "rose", "camellia", "lilac", "dandelion"] {
-        let made = with(name, &["flower.open=0.6".to_owned()]);
+        let made = alone(name, "flower.open=0.6".to_owned());
         group.bench_function(name, |b| b.iter_with_large_drop(|| black_box(bloom(&made))));
+        let leafy = with(name, &["flower.open=0.6".to_owned()]);
+        group.bench_function(format!("{name} with its leaves"), |b| {
+            b.iter_with_large_drop(|| black_box(bloom(&leafy)));
+        });
     }
     group.finish();
 }
