@@ -67,6 +67,9 @@ pub enum WallError {
     /// Nothing, or too much, says what it is like.
     #[error("give one of `line`, points of its middle on the ground, and `mesh`, an OBJ file")]
     NoShape,
+    /// Its line leads nowhere.
+    #[error("all points of its line are the same; give at least two that differ")]
+    NoLength,
     /// Its file cannot be read.
     #[error("{}: cannot be read: {source}", .file.display())]
     Unreadable {
@@ -115,6 +118,7 @@ impl WallSpec {
         match (&self.line[..], &self.mesh) {
             ([], Some(file)) => self.read(&folder.join(file)),
             ([], None) | ([_, ..], Some(_)) => Err(WallError::NoShape),
+            (line, None) if polyline::length(line) <= 0.0 => Err(WallError::NoLength),
             (line, None) => {
                 let path = Path::new(line.to_vec(), self.thickness).map_err(|_| WallError::NoShape)?;
                 let (half, top) = (0.5 * self.thickness, self.height);
@@ -306,6 +310,7 @@ mod tests {
         assert!(
             fault("name = \"a\"\nmesh = \"a.obj\"\nline = [[0, 0], [1, 0]]", level).contains("give one of")
         );
+        assert!(fault("name = \"a\"\nline = [[1, 2], [1, 2]]", level).contains("two that differ"));
         assert!(fault("name = \"a\"\nmesh = \"a.obj\"", level).contains("a.obj: cannot be read"));
         assert!(toml::from_str::<WallSpec>("line = [[0, 0]]").is_err());
         assert!(toml::from_str::<WallSpec>("height = 0").unwrap_err().to_string().contains("0.05 to 100"));
