@@ -17,7 +17,7 @@
 //! | `share` | shares of a garden that are made apart |
 //! | `places` | where plants stand: all of these |
 //! | `painted` | the garden as strokes on the ground: places and ground |
-//! | `spec` | the garden as text |
+//! | `spec`, `error` | the garden as text, and why it may not be one |
 //! | `stock` | the individuals that are copied |
 //! | `surface` | the ground and the paths as a closed slab |
 //! | `scene`, `list` | all of it as one model of copies, or as a list of places |
@@ -26,6 +26,7 @@
 //! lean and size; far plants are as fine as near ones.
 
 pub mod area;
+pub mod error;
 pub mod grey_map;
 pub mod ground;
 pub mod ground_mesh;
@@ -45,11 +46,12 @@ pub mod tiles;
 pub mod walls;
 
 pub use area::{Area, Outline};
+pub use error::GardenError;
 pub use painted::GardenParams;
 pub use plan::{Kind, Place, Plan, PlanError, Stands, Variation};
 pub use scene::Garden;
 pub use share::Share;
-pub use spec::{Cover, GardenError, GardenSpec, KindSpec, Origin};
+pub use spec::{Cover, GardenSpec, KindSpec, Origin};
 pub use stock::Stock;
 pub use tiles::{Spot, TileSet};
 pub use walls::{BeforeWall, Wall, WallSpec};
