@@ -87,7 +87,7 @@ fn roses(c: &mut Criterion) {
         let mut grower = Grower::Species { species, params, age: None, first_seed: 1, form, before: None };
         grower.fit(pipeline::triangles_of_each(places.len(), 16));
         let mut stock = Stock::default();
-        stock.add("rose", grower.grow_all(16), 0.0);
+        stock.add("rose", grower.grow_all(16, false), 0.0);
         let garden = Garden { stock, places, ground: None, walls: Vec::new() };
         let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
         let (provenance, instanced) = (Provenance::default(), garden.instanced());

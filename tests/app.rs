@@ -3,6 +3,7 @@
 //! One program of tests out of many files: each would be linked by itself, with all libraries, otherwise.
 
 mod cards;
+mod crowds;
 mod live_canvas;
 mod live_copies;
 mod live_view;

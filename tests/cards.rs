@@ -41,10 +41,10 @@ fn seen(
     side: u32,
 ) -> (f32, [f32; 3]) {
     let framed_for = renderer.upload(framed_for, &texture).unwrap();
-    let model = renderer.upload(model, &texture).unwrap().framed_as(&framed_for);
+    let mut model = renderer.upload(model, &texture).unwrap().framed_as(&framed_for);
     let view = View { direction, projection: Projection::Orthographic, turn_deg: 0.0 };
     let options = PictureOptions { width: side, height: side, background: Background::Transparent };
-    let picture = renderer.pictures(&model, &[view], &options).next().unwrap().unwrap();
+    let picture = renderer.pictures(&mut model, &[view], &options).next().unwrap().unwrap();
     let (mut covered, mut sum) = (0.0, [0.0; 3]);
     for &[r, g, b, a] in picture.pixels().as_chunks::<4>().0 {
         let share = f32::from(a) / 255.0;

@@ -61,7 +61,7 @@ fn shapes_go_to_the_graphics_card_once_and_places_when_they_change() {
     let (renderer, mut view) = opened(&Model::default());
     let first = view.update(&renderer, &model, &textures).unwrap();
     let (same, mut other) = opened(&Model::default());
-    let flat = other.update(&same, &model.flattened(), &textures).unwrap();
+    let flat = other.update(&same, &*model.flattened(), &textures).unwrap();
     assert!(2 * first.bytes < flat.bytes, "{} bytes instead of {}", first.bytes, flat.bytes);
     assert_eq!(view.update(&renderer, &model, &textures).unwrap().bytes, 0);
 

@@ -189,7 +189,7 @@ fn a_drawing_grows_up_the_wall_that_its_parameters_put_behind_it() {
         let obstacles = built.obstacles.clone().unwrap();
         near.push(leaves(&built).filter(|leaf| obstacles.is_within(0.08, leaf.base)).count());
         let seen = pipeline::seen(&built);
-        assert_eq!(seen.parts.len(), built.model.parts.len() + 1);
+        assert_eq!(seen.model.parts.len(), built.model.parts.len() + 1);
     }
     assert!(near[0] > 100 && near[1] == 0 && near[2] == near[0], "{near:?}");
 }

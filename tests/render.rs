@@ -169,12 +169,12 @@ fn outdoors_the_sky_is_over_a_lawn_and_the_plant_throws_its_shadow() {
 #[test]
 fn a_walk_sees_what_stands_before_it() {
     let mut renderer = Renderer::new().unwrap();
-    let uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
+    let mut uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
     let toward = walk::along(&[Vec2::new(0.0, 8.0), Vec2::new(0.0, 4.0)], 2, 0.8, |_| 0.0);
     let away = walk::along(&[Vec2::new(0.0, 4.0), Vec2::new(0.0, 8.0)], 1, 0.8, |_| 0.0);
     let cameras: Vec<_> = toward.into_iter().chain(away).collect();
     let options = PictureOptions { background: Background::Transparent, ..SMALL };
-    let pictures: Result<Vec<_>, _> = renderer.pictures_by(&uploaded, &cameras, &options).collect();
+    let pictures: Result<Vec<_>, _> = renderer.pictures_by(&mut uploaded, &cameras, &options).collect();
     let seen = pictures
         .unwrap()
         .iter()
@@ -197,11 +197,11 @@ fn the_same_picture_is_the_same_bytes() {
 #[test]
 fn a_turntable_shows_all_sides_and_comes_back() {
     let mut renderer = Renderer::new().unwrap();
-    let uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
+    let mut uploaded = renderer.upload(&seedling(), &no_textures).unwrap();
     let mut views: Vec<View> = View::default().turntable(4).collect();
     views.push(View { turn_deg: 360.0, ..View::default() });
     let frames: Vec<RenderedImage> =
-        renderer.pictures(&uploaded, &views, &SMALL).map(Result::unwrap).collect();
+        renderer.pictures(&mut uploaded, &views, &SMALL).map(Result::unwrap).collect();
     let green =
         |p: &RenderedImage| all_pixels(p).filter(|(_, _, [r, g, _, _])| *g > r.saturating_add(30)).count();
     assert!(green(&frames[0]) > 10 * green(&frames[1]), "the blade is thin from the side");
@@ -385,7 +385,7 @@ fn a_live_model_larger_than_a_buffer_is_drawn() {
         let mut view = Viewport::new(&renderer).unwrap();
         view.set_size(160, 120);
         for model in shown {
-            view.update(&renderer, model, &no_textures).unwrap();
+            view.update(&renderer, *model, &no_textures).unwrap();
             view.draw(&renderer, &OrbitCamera::default(), &Look::default()).unwrap();
         }
         view.snapshot(&renderer).unwrap()

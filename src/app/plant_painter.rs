@@ -198,7 +198,7 @@ impl Painter {
         if std::mem::replace(&mut self.plant, plant) == plant {
             return Ok(());
         }
-        let stats = self.viewport.update(&self.renderer, &pipeline::seen(built), &texture_files::texture)?;
+        let stats = self.viewport.update(&self.renderer, pipeline::seen(built), &texture_files::texture)?;
         tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
         self.viewport.set_overlay(&self.renderer, &growth_spots::drawn(&built.overlay));
         Ok(())

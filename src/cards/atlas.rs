@@ -102,7 +102,9 @@ impl Atlas {
             painted.iter().map(|painted| Same::of(painted, used)).collect()
         };
         let file = |painted: &Vec<Arc<Painted>>| {
-            Picture::new(joined(painted, drawing.pixels as usize)?.to_png().ok()?).ok()
+            let row = |side: usize| painted.iter().map(move |painted| &painted.cells[side]);
+            let cells: Vec<&Cell> = row(0).chain(row(1)).collect();
+            Picture::new(grid(&cells, painted.len(), drawing.pixels as usize)?.to_png().ok()?).ok()
         };
         let picture = cache.pictures.made(std::slice::from_ref(&painted), same, file).first();
         Some(Self { picture: picture.cloned().flatten()?, painted, pixels: drawing.pixels })
@@ -123,27 +125,29 @@ impl Atlas {
     }
 }
 
-/// The cells beside and above one another; `None` if all are empty.
-fn joined(shoots: &[Arc<Painted>], side: usize) -> Option<Rgba> {
-    let all = || shoots.iter().flat_map(|shoot| shoot.cells.iter().flat_map(|cell| &cell.pixels));
+/// The cells in rows from the top, so many in each, every one in the left lower corner of a square of this side; `None` if all are
+/// empty.
+pub(super) fn grid(cells: &[&Cell], columns: usize, side: usize) -> Option<Rgba> {
+    let all = || cells.iter().flat_map(|cell| &cell.pixels);
     let weight: f32 = all().map(|pixel| pixel.w).sum();
     if weight <= 0.0 {
         return None;
     }
     let mean = encoded(all().map(|pixel| pixel.truncate() * pixel.w).sum::<Vec3>() / weight);
-    let width = side * shoots.len();
+    let (width, height) = (side * columns, side * cells.len().div_ceil(columns));
     let pixel = |i: usize| {
         let (x, y) = (i % width, i / width);
-        let Cell { size, pixels } = &shoots[x / side].cells[y / side];
         // From the left lower corner.
         let (right, up) = (x % side, side - 1 - y % side);
-        let is_inside = right < size.x && up < size.y;
-        let pixel = if is_inside { pixels[(size.y - 1 - up) * size.x + right] } else { Vec4::ZERO };
+        let cell = cells.get(y / side * columns + x / side);
+        let there = cell.filter(|cell| right < cell.size.x && up < cell.size.y);
+        let pixel =
+            there.map_or(Vec4::ZERO, |cell| cell.pixels[(cell.size.y - 1 - up) * cell.size.x + right]);
         let [r, g, b] = if pixel.w > 0.0 { encoded(pixel.truncate()) } else { mean };
         [r, g, b, (255.0 * pixel.w).round() as u8]
     };
-    let pixels = (0..width * 2 * side).into_par_iter().with_min_len(1 << 12).flat_map_iter(pixel).collect();
-    Some(Rgba { width: width as u32, height: 2 * side as u32, pixels })
+    let pixels = (0..width * height).into_par_iter().with_min_len(1 << 12).flat_map_iter(pixel).collect();
+    Some(Rgba { width: width as u32, height: height as u32, pixels })
 }
 
 fn encoded(colour: Vec3) -> [u8; 3] {

@@ -3,7 +3,8 @@
 //! A tree has tens of thousands of leaves, of which one sees in most pictures no more than that they are there. Leaves that stand
 //! together become a cluster (`clusters`); a few of a plant's clusters are drawn from two sides, by the very surfaces that the
 //! model would have had (`picture`, put together in `atlas`); and each cluster becomes two cards of four triangles that cross along its axis, or one where
-//! it is flat (`frame`), which show those of the pictures that have about as many leaves. What somebody drew stays as it is.
+//! it is flat (`frame`), which show those of the pictures that have about as many leaves. What somebody drew stays as it is. A plant that is
+//! far away is one card, with its picture from the nearest of many sides (`views`).
 //!
 //! Pure and deterministic; nothing is left to chance.
 //!
@@ -16,7 +17,9 @@ mod coverage;
 mod frame;
 mod picture;
 mod raster;
+mod sky;
 mod surfaces;
+mod views;
 
 use crate::geom::simple_loop::area;
 use crate::model::ModelParams;
@@ -105,6 +108,28 @@ pub fn billboards(plant: &FinishedPlant, pixels: u32) -> FinishedPlant {
     let mut flat = replaced(plant.clone(), &all, cards, atlas.picture);
     flat.reshape(|plant| plant.flowers.clear());
     flat
+}
+
+/// A plant as one card that shows it from one side.
+#[derive(Clone, Debug)]
+pub struct PlantView {
+    /// Toward the viewer, of length 1.
+    pub toward: Vec3,
+    /// The card.
+    pub flat: FinishedPlant,
+}
+
+/// The whole plant as pictures from many sides, each at most so many pixels wide and high, for what is far away and drawn by somebody who
+/// chooses the side that is nearest to the viewer's. Nothing of a plant without surfaces.
+pub fn views(plant: &FinishedPlant, pixels: u32) -> Vec<PlantView> {
+    let Some((picture, views)) = views::painted(plant, pixels) else { return Vec::new() };
+    let of_first = plant.organs.first().map(|organ| &plant.materials()[plant.material(organ.role)]);
+    let material = Material { covers_in_part: true, ..material(of_first, picture) };
+    let flat = |shape| {
+        let organs = vec![card(Role::of(OrganPart::Leaf), None, shape)];
+        FinishedPlant::new(Plant { organs, ..Plant::default() }, &[], |_| material.clone())
+    };
+    views.into_iter().map(|view| PlantView { toward: view.toward, flat: flat(view.card) }).collect()
 }
 
 /// The clusters of a plant and their size, a share of the plant's: that which is wanted, or a larger one whose cards have at most so
@@ -226,7 +251,9 @@ fn replaced(
         cluster.branches.iter().for_each(|branch| branch_stays[*branch] = false);
     }
     let Some(role) = cards.first().map(|card| card.role) else { return plant };
-    let material = material(&plant, framed, picture);
+    let first = framed.iter().flat_map(|(cluster, _)| &cluster.organs).next();
+    let of_first = first.map(|organ| &plant.materials()[plant.material(plant.organs[*organ].role)]);
+    let material = material(of_first, picture);
     plant.add_material(role.into(), material);
     plant.reshape(|plant| {
         let mut stays = organ_stays.into_iter();
@@ -239,9 +266,7 @@ fn replaced(
 }
 
 /// The look of the cards: that of the first leaf, with the picture's colours.
-fn material(plant: &FinishedPlant, framed: &[(Cluster, Frame)], picture: Picture) -> Material {
-    let first = framed.iter().flat_map(|(cluster, _)| &cluster.organs).next();
-    let of_first = first.map(|organ| plant.materials()[plant.material(plant.organs[*organ].role)].clone());
+fn material(of_first: Option<&Material>, picture: Picture) -> Material {
     let plain = Material::plain("", [1.0; 3]);
     Material {
         name: "foliage".to_owned(),
@@ -250,7 +275,7 @@ fn material(plant: &FinishedPlant, framed: &[(Cluster, Frame)], picture: Picture
         texture: Some(Texture::Own(picture)),
         cut_out: true,
         double_sided: false,
-        ..of_first.unwrap_or(plain)
+        ..of_first.unwrap_or(&plain).clone()
     }
 }
 

@@ -8,6 +8,7 @@
 use super::coverage;
 use super::frame::{Frame, Side};
 use super::raster::covered;
+use super::sky::Sky;
 use super::surfaces::{Corner, Surfaces, Triangle};
 use crate::plant::FinishedPlant;
 use glam::{USizeVec2, Vec2, Vec3, Vec4};
@@ -50,6 +51,19 @@ pub(super) struct Cell {
 }
 
 impl Cell {
+    /// Paints triangles onto a card: the middle of its lower edge, its width and its height. With a `sky` they have its light, otherwise
+    /// that of a lamp.
+    pub(super) fn painted(
+        triangles: &[Triangle<'_>],
+        sky: Option<&Sky>,
+        card: (Vec3, Vec3, Vec3),
+        drawing: Drawing,
+    ) -> Self {
+        let size = Self::size_of(card, drawing.pixels);
+        let pixels = coarser(&drawn(triangles, sky, card, size * FINER), size, drawing.share);
+        Self { size, pixels }
+    }
+
     /// Without anything on it, for a card of this width and height.
     fn size_of((_, u, v): (Vec3, Vec3, Vec3), longest: u32) -> USizeVec2 {
         let extent = Vec2::new(u.length(), v.length());
@@ -72,13 +86,12 @@ impl Painted {
         let triangles = surfaces.triangles(excerpt, stop)?;
         let corners = triangles.iter().flat_map(|triangle| triangle.corners.iter().map(|corner| corner.at));
         let frame = frame.around_points(corners).unwrap_or(*frame);
+        let sky = (drawing.share >= 1.0).then(|| Sky::over(&triangles));
         let seen_from = |side| {
-            let card = frame.card(side);
-            let size = Cell::size_of(card, drawing.pixels);
-            let fine = (!stop()).then(|| drawn(&triangles, card, size * FINER))?;
-            let mut pixels = coarser(&fine, size, drawing.share);
-            coverage::keep(&mut pixels, size, drawing.share);
-            Some(Cell { size, pixels })
+            let mut cell =
+                (!stop()).then(|| Cell::painted(&triangles, sky.as_ref(), frame.card(side), drawing))?;
+            coverage::keep(&mut cell.pixels, cell.size, drawing.share);
+            Some(cell)
         };
         let [wide, narrow] = Side::ALL;
         let (wide, narrow) = rayon::join(|| seen_from(wide), || seen_from(narrow));
@@ -87,7 +100,12 @@ impl Painted {
 }
 
 /// What is seen in a picture of this width and height, rows from the top.
-fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), size: USizeVec2) -> Vec<Pixel> {
+fn drawn(
+    triangles: &[Triangle<'_>],
+    sky: Option<&Sky>,
+    (base, u, v): (Vec3, Vec3, Vec3),
+    size: USizeVec2,
+) -> Vec<Pixel> {
     let facing = u.cross(v).normalize_or_zero();
     let axes = (u / u.length_squared(), v / v.length_squared());
     let onto = |corner: &Corner| {
@@ -99,7 +117,11 @@ fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), size: USi
     let (far, near) =
         depths.fold((f32::INFINITY, f32::NEG_INFINITY), |(far, near), z| (far.min(z), near.max(z)));
     let light = LIGHT.x * u.normalize_or_zero() + LIGHT.y * v.normalize_or_zero() + LIGHT.z * facing;
-    let lit = |normal: Vec3, depth: f32| {
+    let lit = |normal: Vec3, depth: f32, at: Vec3| {
+        if let Some(sky) = sky {
+            let seen_side = if normal.dot(facing) < 0.0 { -normal } else { normal };
+            return sky.light(at, seen_side, facing);
+        }
         let faced = IN_SHADE + (1.0 - IN_SHADE) * normal.dot(light).max(0.0);
         faced * (BEHIND + (1.0 - BEHIND) * (depth - far) / (near - far).max(f32::MIN_POSITIVE))
     };
@@ -115,9 +137,10 @@ fn drawn(triangles: &[Triangle<'_>], (base, u, v): (Vec3, Vec3, Vec3), size: USi
                 return;
             }
             let uv = a.uv * shares.x + b.uv * shares.y + c.uv * shares.z;
+            let at = a.at * shares.x + b.at * shares.y + c.at * shares.z;
             let normal = a.normal * shares.x + b.normal * shares.y + c.normal * shares.z;
             if let Some(colour) = triangle.surface.colour(uv) {
-                pixels[pixel] = Pixel { depth, colour, light: lit(normal.normalize_or_zero(), depth) };
+                pixels[pixel] = Pixel { depth, colour, light: lit(normal.normalize_or_zero(), depth, at) };
             }
         });
     }

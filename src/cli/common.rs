@@ -1,8 +1,9 @@
 //! What the building verbs share: opening a sketch, choosing species and parameters, reporting.
 
 use crate::formats::write::{self, InstanceForm, PlantAndProvenance, Surfaces};
+use crate::garden::Seen;
 use crate::input::Sources;
-use crate::model::{Levels, Model};
+use crate::model::Levels;
 use crate::pipeline::{self, Built, Params};
 use crate::sketch::{self, Sketch};
 use crate::species::{self, Species};
@@ -254,15 +255,16 @@ pub fn built_in_texture(name: &str) -> Option<Cow<'static, [u8]>> {
 pub type Stages = Vec<(&'static str, Duration)>;
 
 /// The `--stats` object; `bytes` is the size of what was written.
-pub fn stats(stages: &Stages, model: &Model, bytes: usize) -> Value {
+pub fn stats<'s>(stages: &Stages, seen: impl Into<Seen<'s>>, bytes: usize) -> Value {
+    let [vertices, triangles] = seen.into().counts();
     let ms = |d: Duration| (d.as_secs_f64() * 1e6).round() / 1e3;
     let per_stage: Map<String, Value> =
         stages.iter().map(|&(name, time)| (name.to_owned(), ms(time).into())).collect();
     json!({
         "total_ms": ms(stages.iter().map(|s| s.1).sum()),
         "stages": per_stage,
-        "vertices": model.vertex_count(),
-        "triangles": model.triangle_count(),
+        "vertices": vertices,
+        "triangles": triangles,
         "bytes": bytes,
     })
 }

@@ -10,7 +10,9 @@ use crate::formats::write::{self, Surfaces, Takes};
 use crate::garden::plan::Plan;
 use crate::garden::spec::KindFields;
 use crate::garden::stock::Individual;
-use crate::garden::{Garden, GardenSpec, KindSpec, Origin, Outline, Place, Share, Stock, TileSet, surface};
+use crate::garden::{
+    Garden, GardenSpec, KindSpec, Origin, Outline, Place, Seen, Share, Stock, TileSet, surface,
+};
 use crate::input::Sources;
 use crate::model::Model;
 use crate::picture::Picture;
@@ -21,9 +23,11 @@ use crate::render::{PictureOptions, Renderer};
 use crate::species::Species;
 use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Map, Value, json};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 /// The number that decides what the tiles are like.
 const TILES: u64 = 1;
@@ -94,6 +98,14 @@ impl Args {
     fn options(&self) -> PictureOptions {
         let background = studio::background(false, self.outdoors || self.walk.is_some());
         PictureOptions { width: self.size.width, height: self.size.height, background }
+    }
+
+    /// Whether nothing is written but pictures and lists.
+    fn takes_pictures_alone(&self) -> bool {
+        let is_model = |out: &PathBuf| {
+            !is_picture(out) && write::format_of(out).is_ok_and(|format| format.takes() != Takes::Plant)
+        };
+        !self.out.iter().any(is_model)
     }
 
     /// All files that will be written.
@@ -174,17 +186,20 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         Some(share) => plan.places_of(&tiles, share),
     })?;
     check_outputs(args, places.len())?;
-    let usual = usual_triangles(args.detail, plan.plants(&tiles)?, individuals);
+    // Pictures have coarser forms for far plants, so near ones may be as fine as those of a garden of few.
+    let of = if args.takes_pictures_alone() { 1.0 } else { plan.plants(&tiles)? };
+    let usual = usual_triangles(args.detail, of, individuals);
     let stock = clock.time("individuals", || {
         growers.iter_mut().for_each(|grower| grower.fit(usual));
-        stock(&spec, &growers, &plan.kinds.iter().map(|kind| kind.variants).collect::<Vec<_>>())
+        let variants: Vec<u32> = plan.kinds.iter().map(|kind| kind.variants).collect();
+        stock(&spec, &growers, (&variants, args.out.iter().any(|out| is_picture(out))))
     })?;
     let ground = clock.time("ground", || match args.shard {
         None => surface::slab(&plan, spec.ground.cover),
         Some(_) => None,
     });
     let walls = if args.shard.is_none() { std::mem::take(&mut plan.walls) } else { Vec::new() };
-    let garden = Garden { stock, places, ground, walls };
+    let garden = Arc::new(Garden { stock, places, ground, walls });
     warn_of_missing(&garden, args.shard);
     let bytes = clock.time("files", || write_all(args, &plan, &garden, &sources))?;
     if args.stats {
@@ -344,11 +359,11 @@ fn model(path: &Path, sources: &mut Sources) -> Result<Model> {
 }
 
 /// Builds the individuals of all kinds.
-fn stock(spec: &GardenSpec, growers: &[Grower], variants: &[u32]) -> Result<Stock> {
+fn stock(spec: &GardenSpec, growers: &[Grower], (variants, with_coarser): (&[u32], bool)) -> Result<Stock> {
     let mut stock = Stock::default();
     for ((kind, grower), variants) in spec.plants.iter().zip(growers).zip(variants) {
         let name = kind.origin.name();
-        stock.add(name, grower.grow_all(*variants), kind.fields.height);
+        stock.add(name, grower.grow_all(*variants, with_coarser), kind.fields.height);
         let Some(made) = stock.kinds.last() else { continue };
         made.remarks.iter().for_each(|remark| tracing::warn!("{name}: {remark}"));
         ensure!(
@@ -378,8 +393,10 @@ fn check_outputs(args: &Args, plants: usize) -> Result<()> {
 }
 
 /// Writes the garden to all files; returns the number of bytes.
-fn write_all(args: &Args, plan: &Plan, garden: &Garden, sources: &Sources) -> Result<usize> {
-    args.out.iter().try_for_each(|out| check_size(out, garden.triangle_count()))?;
+fn write_all(args: &Args, plan: &Plan, garden: &Arc<Garden>, sources: &Sources) -> Result<usize> {
+    args.out.iter().try_for_each(|out| {
+        check_size(out, if is_picture(out) { garden.fewest_triangles() } else { garden.triangle_count() })
+    })?;
     let mut whole: Option<Model> = None;
     let plant = FinishedPlant::new(Plant::default(), &[], |_| Material::plain("plant", [0.5; 3]));
     let provenance = Provenance::default();
@@ -392,10 +409,10 @@ fn write_all(args: &Args, plan: &Plan, garden: &Garden, sources: &Sources) -> Re
             continue;
         }
         if is_picture(out) {
-            let model = whole.get_or_insert_with(|| garden.model());
+            let seen = Seen::with_garden(Cow::Owned(Model::default()), garden);
             bytes += match args.walk {
-                Some(count) => write_walk(args, out, (plan, garden, model), count)?,
-                None => write_picture(args, out, model)?,
+                Some(count) => write_walk(args, out, (plan, garden, seen), count)?,
+                None => write_picture(args, out, seen)?,
             };
             continue;
         }
@@ -425,28 +442,27 @@ fn write_all(args: &Args, plan: &Plan, garden: &Garden, sources: &Sources) -> Re
 fn write_walk(
     args: &Args,
     out: &Path,
-    (plan, garden, model): (&Plan, &Garden, &Model),
+    (plan, garden, seen): (&Plan, &Garden, Seen<'_>),
     count: u32,
 ) -> Result<usize> {
     let paths = plan.paths.iter().map(|path| path.points().to_vec());
-    let line = walk::longest(paths, model.bounds().unwrap_or_default());
+    let line = walk::longest(paths, seen.bounds().unwrap_or_default());
     let individuals = garden.stock.kinds.iter().flat_map(|kind| &kind.individuals);
     let highest = individuals.map(Individual::height).fold(0.0, f32::max);
     let mut renderer = Renderer::new()?;
-    let scene = renderer.upload(model, &studio::texture).with_context(|| out.display().to_string())?;
+    let mut scene = renderer.upload(seen, &studio::texture).with_context(|| out.display().to_string())?;
     Walk { line, ground: &|at| plan.ground.height(at), highest, count }.write(
         &mut renderer,
-        &scene,
+        &mut scene,
         out,
         &args.options(),
     )
 }
 
 /// Takes a picture of the garden; returns its size in bytes.
-fn write_picture(args: &Args, out: &Path, model: &Model) -> Result<usize> {
+fn write_picture(args: &Args, out: &Path, seen: Seen<'_>) -> Result<usize> {
     let options = args.options();
-    let png =
-        studio::picture(model, args.view.view(), &options).with_context(|| out.display().to_string())?;
+    let png = studio::picture(seen, args.view.view(), &options).with_context(|| out.display().to_string())?;
     atomic::write_atomically(out, &png)?;
     Ok(png.len())
 }

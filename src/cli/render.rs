@@ -6,9 +6,9 @@ use super::walk::{self, Walk};
 use crate::atomic;
 use crate::formats::read::{Embedded, Loaded, ReadFormat, load};
 use crate::formats::textures::{self, fetch};
+use crate::garden::Seen;
 use crate::garden::painted::simplified;
 use crate::input::Sources;
-use crate::model::Model;
 use crate::pipeline;
 use crate::plant::Texture;
 use crate::render::{Direction, PictureOptions, Projection, RenderedImage, Renderer, View};
@@ -124,14 +124,14 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         Some(drawn) if args.with_drawing => {
             let drawing = renderer.drawing(drawn, &args.options())?;
             let plant =
-                renderer.picture(&scene.model, &scene.textures(), &args.first_view(), &args.options());
+                renderer.picture(scene.seen.clone(), &scene.textures(), &args.first_view(), &args.options());
             let plant = plant.with_context(|| args.input.display().to_string())?;
             write(&args.out, &drawing.beside(&plant))?
         }
         _ => render_views(args, &scene, &mut renderer)?,
     };
     if args.build.stats {
-        common::print(&common::stats(&scene.stages, &scene.model, bytes).to_string())?;
+        common::print(&common::stats(&scene.stages, scene.seen.clone(), bytes).to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -156,13 +156,13 @@ fn render_drawing(args: &Args) -> Result<ExitCode> {
 /// Writes the pictures of a model that `args` ask for and returns their size in bytes.
 fn render_views(args: &Args, scene: &Scene, renderer: &mut Renderer) -> Result<usize> {
     let of_input = || args.input.display().to_string();
-    let uploaded = renderer.upload(&scene.model, &scene.textures()).with_context(of_input)?;
+    let mut uploaded = renderer.upload(scene.seen.clone(), &scene.textures()).with_context(of_input)?;
     if let Some(count) = args.walk {
-        return scene.walk(count).write(renderer, &uploaded, &args.out, &args.options());
+        return scene.walk(count).write(renderer, &mut uploaded, &args.out, &args.options());
     }
     let views: Vec<View> = args.first_view().turntable(args.turntable.unwrap_or(1)).collect();
     let mut bytes = 0;
-    let pictures = renderer.pictures(&uploaded, &views, &args.options());
+    let pictures = renderer.pictures(&mut uploaded, &views, &args.options());
     for (path, picture) in args.pictures().iter().zip(pictures) {
         bytes += write(path, &picture.with_context(of_input)?)?;
     }
@@ -181,7 +181,7 @@ fn no_drawing(path: &Path) -> String {
 
 /// What a picture is made of.
 struct Scene {
-    model: Model,
+    seen: Seen<'static>,
     /// Pictures inside a model file.
     embedded: Embedded,
     /// Where the plant was drawn.
@@ -200,10 +200,10 @@ impl Scene {
         }
         let setup = Setup::open(&args.input, &args.build.setup)?;
         let built = setup.build(&args.input);
-        let (model, stages) = (pipeline::seen(&built).into_owned(), built.stages);
+        let (seen, stages) = (pipeline::seen(&built).into_owned(), built.stages);
         let Setup { sketch, mut sources, .. } = setup;
-        textures::files(&model.materials).for_each(|picture| sources.add(picture));
-        Ok(Self { model, embedded: Embedded::default(), drawn: Some(sketch), stages, sources })
+        textures::files(&seen.model.materials).for_each(|picture| sources.add(picture));
+        Ok(Self { seen, embedded: Embedded::default(), drawn: Some(sketch), stages, sources })
     }
 
     fn read(args: &Args) -> Result<Self> {
@@ -224,12 +224,13 @@ impl Scene {
         for warning in warnings {
             tracing::warn!("{path}: {warning}");
         }
-        Ok(Self { model, embedded, drawn: None, stages, sources })
+        let seen = Seen { model: Cow::Owned(model), crowd: None };
+        Ok(Self { seen, embedded, drawn: None, stages, sources })
     }
 
     /// A walk along the garden's longest path, or through the scene.
     fn walk(&self, count: u32) -> Walk<'_> {
-        let bounds = self.model.bounds().unwrap_or_default();
+        let bounds = self.seen.bounds().unwrap_or_default();
         let garden = self.drawn.iter().flat_map(|sketch| sketch.garden.iter());
         let paths = garden.filter(|stroke| stroke.tool == GardenTool::Path).map(|stroke| {
             simplified(&stroke.points, stroke.radius).iter().map(|point| point.at).collect::<Vec<_>>()

@@ -6,8 +6,8 @@ use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::textures::fetch;
 use crate::formats::write::{self, Surfaces, Takes};
+use crate::garden::Seen;
 use crate::input::Sources;
-use crate::model::Model;
 use crate::pipeline::{self, Built};
 use crate::plant::Texture;
 use crate::render::{Background, Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
@@ -145,7 +145,7 @@ impl<'a> Studio<'a> {
     pub fn new(outputs: &'a Outputs<'a>, framed_for: &Built) -> Result<Self> {
         let camera = outputs.outs.iter().any(|out| is_picture(out)).then(|| {
             let renderer = Renderer::new()?;
-            let framed_for = renderer.upload(&pipeline::seen(framed_for), &texture)?;
+            let framed_for = renderer.upload(pipeline::seen(framed_for), &texture)?;
             anyhow::Ok(Camera { renderer, framed_for })
         });
         Ok(Self { outputs, camera: camera.transpose()? })
@@ -168,7 +168,7 @@ impl<'a> Studio<'a> {
         let surfaces = Surfaces { garden, ..model.into() };
         let mut bytes = common::export(&models, ((plant, provenance), surfaces), *instances, sources)?;
         if let Some(camera) = &mut self.camera {
-            let png = camera.picture(&pipeline::seen(built), taken)?;
+            let png = camera.picture(pipeline::seen(built), taken)?;
             for out in &pictures {
                 atomic::write_atomically(out, &png)?;
                 bytes += png.len();
@@ -180,20 +180,20 @@ impl<'a> Studio<'a> {
 
 impl Camera {
     /// A picture as a PNG file.
-    fn picture(&mut self, model: &Model, taken: &PictureArgs) -> Result<Vec<u8>> {
-        let model = self.renderer.upload(model, &texture)?.framed_as(&self.framed_for);
+    fn picture(&mut self, seen: Seen<'_>, taken: &PictureArgs) -> Result<Vec<u8>> {
+        let mut seen = self.renderer.upload(seen, &texture)?.framed_as(&self.framed_for);
         let (views, options) = ([taken.view.view()], taken.options());
-        let picture = self.renderer.pictures(&model, &views, &options).next().context("no picture")??;
+        let picture = self.renderer.pictures(&mut seen, &views, &options).next().context("no picture")??;
         Ok(picture.to_png()?)
     }
 }
 
-/// A picture of a model as a PNG file, framed for it.
+/// A picture as a PNG file, framed for what is seen.
 ///
 /// # Errors
 /// Nothing can draw it.
-pub fn picture(model: &Model, view: View, options: &PictureOptions) -> Result<Vec<u8>> {
-    Ok(Renderer::new()?.picture(model, &texture, &view, options)?.to_png()?)
+pub fn picture<'s>(seen: impl Into<Seen<'s>>, view: View, options: &PictureOptions) -> Result<Vec<u8>> {
+    Ok(Renderer::new()?.picture(seen, &texture, &view, options)?.to_png()?)
 }
 
 /// Refuses pictures and files without copies that so many triangles make too large, and warns of large files.

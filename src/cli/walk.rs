@@ -62,7 +62,7 @@ impl Walk<'_> {
     pub(super) fn write(
         &self,
         renderer: &mut Renderer,
-        scene: &ModelDrawData,
+        scene: &mut ModelDrawData,
         out: &Path,
         options: &PictureOptions,
     ) -> Result<usize> {

@@ -21,9 +21,10 @@
 //! | `stock` | the individuals that are copied |
 //! | `surface` | the ground and the paths as a closed slab |
 //! | `scene`, `list` | all of it as one model of copies, or as a list of places |
+//! | `seen` | what is looked at: plants that stay copies, in levels of detail |
 //!
 //! Source: 004 §3.3. Which of its numbers hold is in `docs/gardens.md`. Limits: copies of a plant are alike in everything but place, turn,
-//! lean and size; far plants are as fine as near ones.
+//! lean and size; files have no levels of detail, pictures have.
 
 pub mod area;
 pub mod error;
@@ -38,6 +39,7 @@ pub mod places;
 pub mod plan;
 mod rows;
 pub mod scene;
+pub mod seen;
 pub mod share;
 pub mod spec;
 pub mod stock;
@@ -50,8 +52,9 @@ pub use error::GardenError;
 pub use painted::GardenParams;
 pub use plan::{Kind, Place, Plan, PlanError, Stands, Variation};
 pub use scene::Garden;
+pub use seen::{Crowd, Seen};
 pub use share::Share;
 pub use spec::{Cover, GardenSpec, KindSpec, Origin};
-pub use stock::Stock;
+pub use stock::{Coarser, Grown, Stock, Views};
 pub use tiles::{Spot, TileSet};
 pub use walls::{BeforeWall, Wall, WallSpec};

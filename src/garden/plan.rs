@@ -112,6 +112,13 @@ pub struct Place {
     pub scale: f32,
 }
 
+impl Place {
+    /// Where a point of its model is, metres.
+    pub fn point(&self, of_model: Vec3) -> Vec3 {
+        self.at + self.rotation * of_model * self.scale
+    }
+}
+
 /// Why there is no garden.
 #[derive(Debug, Error, PartialEq)]
 pub enum PlanError {

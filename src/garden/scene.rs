@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A garden in which everything stands.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Garden {
     /// The individuals.
     pub stock: Stock,
@@ -30,17 +30,33 @@ pub struct Garden {
 impl Garden {
     /// Triangles of all plants and the ground, every copy counted.
     pub fn triangle_count(&self) -> usize {
-        let counts: Vec<Vec<usize>> = self
-            .stock
-            .kinds
-            .iter()
-            .map(|kind| kind.individuals.iter().map(Individual::triangle_count).collect())
-            .collect();
+        self.triangles_alone() + self.of_plants(Individual::triangle_count)
+    }
+
+    /// The same if every plant were as coarse as it can be.
+    pub fn fewest_triangles(&self) -> usize {
+        self.triangles_alone() + self.of_plants(Individual::fewest_triangles)
+    }
+
+    /// Corners and triangles of all plants.
+    pub fn counts_of_plants(&self) -> [usize; 2] {
+        [self.of_plants(Individual::vertex_count), self.of_plants(Individual::triangle_count)]
+    }
+
+    fn of_plants(&self, of_individual: impl Fn(&Individual) -> usize) -> usize {
+        let kinds = self.stock.kinds.iter();
+        let counts: Vec<Vec<usize>> =
+            kinds.map(|kind| kind.individuals.iter().map(&of_individual).collect()).collect();
         let of_place = |place: &Place| counts[place.kind as usize].get(place.variant as usize).copied();
+        self.places.iter().filter_map(of_place).sum()
+    }
+
+    /// Triangles of what there is once.
+    fn triangles_alone(&self) -> usize {
         let ground = self.ground.as_ref().map_or(0, |(mesh, _)| mesh.triangles.len());
         let walls = self.walls.iter().flat_map(|wall| &wall.surfaces);
         let walls: usize = walls.map(|mesh| mesh.triangles.len()).sum();
-        ground + walls + self.places.iter().filter_map(of_place).sum::<usize>()
+        ground + walls
     }
 
     /// Smallest and largest corner of the ground and of where plants stand, with room for these; none where nothing is.
@@ -80,6 +96,15 @@ impl Garden {
             }
         }
         Model { parts, materials }
+    }
+
+    /// Puts what there is once, the ground and the walls, behind the parts of a model. Returns how many materials stand there before those
+    /// of the individuals.
+    pub fn join_without_plants(&self, model: &mut Model) -> usize {
+        let (behind, (parts, materials)) = (Behind::new(model), self.parts_alone());
+        model.parts.extend(parts.into_iter().map(|part| behind.part(part)));
+        model.materials.extend(materials.into_iter().map(|material| behind.material(material)));
+        behind.materials
     }
 
     /// Puts the garden behind the parts of a model.
@@ -262,8 +287,8 @@ mod tests {
         let surface =
             |material, height| Surface { material, kind: PartKind::Wood, mesh: Arc::new(mesh(height)) };
         let individuals = vec![
-            Individual { surfaces: vec![surface(0, 1.0)] },
-            Individual { surfaces: vec![surface(0, 2.0), surface(1, 0.5)] },
+            Individual { surfaces: vec![surface(0, 1.0)], ..Individual::default() },
+            Individual { surfaces: vec![surface(0, 2.0), surface(1, 0.5)], ..Individual::default() },
         ];
         let kind = KindStock { name: "reed".into(), individuals, remarks: Vec::new() };
         let materials = ["green", "brown"].map(|name| Material::plain(name, [0.2; 3])).to_vec();

@@ -1,13 +1,14 @@
 //! The individuals of a garden: each kind's variants with one mesh for each of their materials.
 //!
-//! Who makes them is the pipeline's (`pipeline/individuals.rs`). Materials that are the same are one for the whole garden.
+//! Who makes them is the pipeline's (`pipeline/individuals.rs`). Materials that are the same are one for the whole garden. An individual
+//! may have coarser forms for where its copies are small in a picture (`seen.rs`).
 //!
 //! Limits: each individual with cards has a picture of its own.
 
 use crate::geom::polyline;
 use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
-use glam::Vec3Swizzles as _;
+use glam::{Vec3, Vec3Swizzles as _};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -15,8 +16,51 @@ use std::sync::Arc;
 /// Different remarks about the individuals of a kind that are kept.
 const MOST_REMARKS: usize = 20;
 
+/// What a plant of the garden was grown to.
+#[derive(Clone, Debug, Default)]
+pub struct Grown {
+    /// Its model.
+    pub model: Model,
+    /// Coarser ones for where it is small in a picture, by falling size.
+    pub coarser: Vec<Coarser<Model>>,
+    /// Ones for where it is smaller still.
+    pub views: Views<Model>,
+    /// What was odd about it.
+    pub remarks: Vec<String>,
+}
+
+impl From<Model> for Grown {
+    fn from(model: Model) -> Self {
+        Self { model, ..Self::default() }
+    }
+}
+
+/// A coarser form of a plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coarser<T> {
+    /// The form.
+    pub form: T,
+    /// It is fine enough where the sphere around the plant is at most so wide in a picture, pixels.
+    pub pixels: f32,
+}
+
+/// Forms of a plant that are seen from one side each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Views<T> {
+    /// The form of each side, with the direction toward the viewer, of length 1.
+    pub forms: Vec<(Vec3, T)>,
+    /// As of [`Coarser`].
+    pub pixels: f32,
+}
+
+impl<T> Default for Views<T> {
+    fn default() -> Self {
+        Self { forms: Vec::new(), pixels: 0.0 }
+    }
+}
+
 /// A surface of an individual in one material.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
     /// Index into [`Stock::materials`].
     pub material: usize,
@@ -27,16 +71,39 @@ pub struct Surface {
 }
 
 /// An individual.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Individual {
     /// Its surfaces, by rising material.
     pub surfaces: Vec<Surface>,
+    /// Coarser forms for where it is small in a picture, by falling size.
+    pub coarser: Vec<Coarser<Vec<Surface>>>,
+    /// Forms for where it is smaller still.
+    pub views: Views<Vec<Surface>>,
 }
 
 impl Individual {
     /// How many triangles it has.
     pub fn triangle_count(&self) -> usize {
-        self.surfaces.iter().map(|surface| surface.mesh.triangles.len()).sum()
+        triangles_of(&self.surfaces)
+    }
+
+    /// How many corners its triangles share.
+    pub fn vertex_count(&self) -> usize {
+        self.surfaces.iter().map(|surface| surface.mesh.vertices.len()).sum()
+    }
+
+    /// All forms of it: the finest, the coarser ones, those from one side each.
+    pub fn forms(&self) -> impl Iterator<Item = &[Surface]> {
+        let coarser = self.coarser.iter().map(|coarser| &*coarser.form);
+        std::iter::once(&*self.surfaces)
+            .chain(coarser)
+            .chain(self.views.forms.iter().map(|(_, form)| &**form))
+    }
+
+    /// How many triangles its coarsest form has.
+    pub fn fewest_triangles(&self) -> usize {
+        let view = self.views.forms.first().map(|(_, form)| form);
+        triangles_of(view.or(self.coarser.last().map(|last| &last.form)).unwrap_or(&self.surfaces))
     }
 
     /// How high it is above its foot, metres.
@@ -57,12 +124,24 @@ impl Individual {
             let points = surface.mesh.points.iter().map(|point| point * by).collect();
             Surface { mesh: Arc::new(Mesh { points, ..Mesh::clone(&surface.mesh) }), ..surface.clone() }
         };
-        Self { surfaces: self.surfaces.iter().map(scaled).collect() }
+        let all_scaled = |surfaces: &[Surface]| surfaces.iter().map(scaled).collect();
+        let coarser = |of: &Coarser<Vec<Surface>>| Coarser { form: all_scaled(&of.form), pixels: of.pixels };
+        let Views { forms, pixels } = &self.views;
+        let forms = forms.iter().map(|(toward, form)| (*toward, all_scaled(form))).collect();
+        Self {
+            surfaces: all_scaled(&self.surfaces),
+            coarser: self.coarser.iter().map(coarser).collect(),
+            views: Views { forms, pixels: *pixels },
+        }
     }
 }
 
+fn triangles_of(surfaces: &[Surface]) -> usize {
+    surfaces.iter().map(|surface| surface.mesh.triangles.len()).sum()
+}
+
 /// Individuals of one kind.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct KindStock {
     /// The kind's name, of letters, digits and `_`; no other has it.
     pub name: String,
@@ -80,7 +159,7 @@ impl KindStock {
 }
 
 /// All individuals of a garden.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stock {
     /// Their materials.
     pub materials: Vec<Material>,
@@ -89,13 +168,19 @@ pub struct Stock {
 }
 
 impl Stock {
-    /// Adds a further kind of such individuals, each with what was odd about it; with `height` above 0 their mean height becomes
-    /// that, metres.
-    pub fn add(&mut self, name: &str, grown: Vec<(Model, Vec<String>)>, height: f32) {
+    /// Adds a further kind of such individuals; with `height` above 0 their mean height becomes that, metres.
+    pub fn add(&mut self, name: &str, grown: Vec<Grown>, height: f32) {
         let name = self.unused_name(name);
         let (mut individuals, mut remarks) = (Vec::with_capacity(grown.len()), Vec::new());
-        for (model, said) in grown {
-            individuals.push(self.individual(&name, &model));
+        for Grown { model, coarser, views, remarks: said } in grown {
+            let surfaces = self.surfaces(&name, &model);
+            let coarser = coarser
+                .into_iter()
+                .map(|Coarser { form, pixels }| Coarser { form: self.surfaces(&name, &form), pixels });
+            let coarser = coarser.collect();
+            let forms = views.forms.into_iter().map(|(toward, form)| (toward, self.surfaces(&name, &form)));
+            let views = Views { forms: forms.collect(), pixels: views.pixels };
+            individuals.push(Individual { surfaces, coarser, views });
             for remark in said {
                 if remarks.len() < MOST_REMARKS && !remarks.contains(&remark) {
                     remarks.push(remark);
@@ -130,7 +215,7 @@ impl Stock {
     }
 
     /// A model by its materials, which join those of the garden.
-    fn individual(&mut self, kind: &str, model: &Model) -> Individual {
+    fn surfaces(&mut self, kind: &str, model: &Model) -> Vec<Surface> {
         let mut meshes: BTreeMap<usize, (PartKind, Mesh)> = BTreeMap::new();
         for part in &model.flattened().parts {
             for (material, triangles) in part.material_slots() {
@@ -140,7 +225,7 @@ impl Stock {
             }
         }
         let surface = |(material, (kind, mesh))| Surface { material, kind, mesh: Arc::new(mesh) };
-        Individual { surfaces: meshes.into_iter().map(surface).collect() }
+        meshes.into_iter().map(surface).collect()
     }
 
     /// The garden's number of a material, whose name gets that of the kind before it if another has it.
@@ -190,7 +275,6 @@ fn append_some(to: &mut Mesh, from: &Mesh, triangles: Range<usize>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec3;
 
     #[test]
     fn some_triangles_of_a_mesh_come_with_what_they_need() {

@@ -84,7 +84,7 @@ pub enum WallError {
 }
 
 /// A wall that stands in a garden.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     /// What plants call it.
     pub name: String,

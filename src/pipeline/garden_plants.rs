@@ -15,7 +15,8 @@ use super::usual_species::DEFAULT_SPECIES;
 use super::{alone, levels};
 use crate::budget::Budget;
 use crate::cards;
-use crate::model::{self, Model};
+use crate::garden::Grown;
+use crate::model;
 use crate::sketch::{GardenDrawing, GardenPlant, GardenStrokes, Sketch, Textures};
 use crate::species::Species;
 use rayon::prelude::*;
@@ -31,6 +32,8 @@ pub(super) struct MadeOf {
     /// Triangles of each, at most, about.
     pub(super) triangles: u32,
     pub(super) variants: u32,
+    /// Whether there are pictures of them for where they are small. Not of the drawing that has the garden: it changes with every stroke.
+    pub(super) has_views: bool,
 }
 
 /// What is planted.
@@ -43,9 +46,6 @@ pub(super) enum PlantOf {
     /// The drawing that has the garden, without it, and with what it is made.
     Drawn(Arc<(Sketch, Params, Species)>),
 }
-
-/// An individual: its model, and what was odd about it.
-pub(super) type Grown = (Model, Vec<String>);
 
 impl PlantOf {
     /// The drawing that has the garden.
@@ -77,9 +77,7 @@ impl PlantOf {
 pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
     let season: Vec<String> = of.season.iter().map(|time| format!("season.time={time}")).collect();
     match &of.plant {
-        PlantOf::Drawn(made) => {
-            vec![(levels::for_garden(&drawn.plant, &drawn.model, &made.1, of.triangles), Vec::new())]
-        }
+        PlantOf::Drawn(made) => vec![for_garden(drawn, &made.1, of)],
         PlantOf::Species(name, age) => {
             let Ok(species) = Species::built_in(name) else { return Vec::new() };
             let Ok(params) = params_of_species(&species, &season) else { return Vec::new() };
@@ -112,9 +110,16 @@ fn grown(of: &MadeOf, params: &Params, built: impl Fn(u32) -> Option<Built> + Sy
     let individual = |number: u32| {
         let built = built(number)?;
         let remarks = built.remarks.iter().map(ToString::to_string).collect();
-        Some((levels::for_garden(&built.plant, &built.model, params, of.triangles), remarks))
+        Some(Grown { remarks, ..for_garden(&built, params, of) })
     };
     (0..of.variants).into_par_iter().filter_map(individual).collect()
+}
+
+/// A plant of at most about so many triangles, with pictures of it where these are wanted.
+fn for_garden(built: &Built, params: &Params, of: &MadeOf) -> Grown {
+    let Built { plant, model, .. } = built;
+    let finest = levels::for_garden(plant, model, params, of.triangles);
+    if of.has_views { levels::with_views(plant, finest, params) } else { finest.into() }
 }
 
 /// The plant of a drawing.

@@ -8,11 +8,11 @@
 //!
 //! Limits: a wide garden has plants of few triangles; how many is a share of what all may have ([`triangles_of_each`]).
 
-use super::levels::{Level, levels};
+use super::levels::{self, Level, levels};
 use super::setup::Params;
 use super::source::{Bloom, Seed, Source};
 use super::{Built, build, triangle_budget};
-use crate::garden::BeforeWall;
+use crate::garden::{BeforeWall, Grown};
 use crate::model::Model;
 use crate::sketch::Sketch;
 use crate::species::Species;
@@ -146,25 +146,27 @@ impl Grower {
         }
     }
 
-    /// The models of so many individuals, each with what was odd about it.
-    pub fn grow_all(&self, wanted: u32) -> Vec<(Model, Vec<String>)> {
-        (0..self.variants(wanted)).into_par_iter().map(|variant| self.grow(variant)).collect()
+    /// So many individuals, with coarser forms where these are wanted.
+    pub fn grow_all(&self, wanted: u32, with_coarser: bool) -> Vec<Grown> {
+        (0..self.variants(wanted)).into_par_iter().map(|variant| self.grow(variant, with_coarser)).collect()
     }
 
-    /// The model of an individual, and what was odd about it.
-    fn grow(&self, variant: u32) -> (Model, Vec<String>) {
-        if let Self::Model(model) = self {
-            return (Model::clone(model), Vec::new());
+    /// An individual. A finished model has no coarser forms.
+    fn grow(&self, variant: u32, with_coarser: bool) -> Grown {
+        let (params, form) = match self {
+            Self::Model(model) => return Model::clone(model).into(),
+            Self::Species { params, form, .. } | Self::Drawing { params, form, .. } => (params, *form),
+        };
+        let Some(Built { model, plant, remarks, .. }) = self.built(variant) else { return Grown::default() };
+        let remarks = remarks.iter().map(ToString::to_string).collect();
+        if form == Form::Billboards {
+            let flat = levels(&plant, &model, params, &[Level::Billboards]).pop();
+            return Grown { model: flat.unwrap_or_default(), remarks, ..Grown::default() };
         }
-        let Some(mut built) = self.built(variant) else { return Default::default() };
-        let remarks = built.remarks.iter().map(ToString::to_string).collect();
-        if let Self::Species { params, form: Form::Billboards, .. }
-        | Self::Drawing { params, form: Form::Billboards, .. } = self
-        {
-            let flat = levels(&built.plant, &built.model, params, &[Level::Billboards]).pop();
-            built.model = flat.unwrap_or_default();
+        if !with_coarser {
+            return Grown { model, remarks, ..Grown::default() };
         }
-        (built.model, remarks)
+        Grown { remarks, ..levels::in_forms(&plant, model, params) }
     }
 }
 
@@ -197,16 +199,16 @@ mod tests {
         let params = Box::new(super::super::params_of_species(&species, &alone).unwrap());
         let mut grower =
             Grower::Species { species, params, age: None, first_seed: 1, form: Form::Whole, before: None };
-        let whole = grower.grow(0).0.triangle_count();
+        let whole = grower.grow(0, false).model.triangle_count();
         grower.fit(25_000);
-        let fitted = grower.grow(0).0;
+        let fitted = grower.grow(0, false).model;
         assert!(whole > 30_000 && (15_000..=25_000).contains(&fitted.triangle_count()), "{whole}");
         let mut stock = Stock::default();
-        stock.add("daisy", grower.grow_all(2), 0.0);
-        stock.add("fields/daisy.toml", grower.grow_all(1), 0.5);
+        stock.add("daisy", grower.grow_all(2, false), 0.0);
+        stock.add("fields/daisy.toml", grower.grow_all(1, false), 0.5);
         let names: Vec<&str> = stock.kinds.iter().map(|kind| kind.name.as_str()).collect();
         assert_eq!(names, ["daisy", "daisy_2"]);
-        let (model, _) = grower.grow(1);
+        let Grown { model, .. } = grower.grow(1, false);
         let individual = &stock.kinds[0].individuals[1];
         assert_eq!(individual.triangle_count(), model.triangle_count());
         assert!(individual.surfaces.is_sorted_by_key(|surface| surface.material));

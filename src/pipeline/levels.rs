@@ -9,6 +9,7 @@
 use super::setup::Params;
 use super::triangle_budget::{self, Finer};
 use crate::cards::{self, CardParams};
+use crate::garden::{Coarser, Grown, Views};
 use crate::model::{self, Model};
 use crate::plant::FinishedPlant;
 
@@ -28,6 +29,18 @@ const BILLBOARD_PIXELS: u32 = 512;
 
 /// Plants that are to have no more triangles than this are far away.
 const FEW: u32 = 1000;
+
+/// Triangles of the coarser form that plants of gardens have in pictures. Cards of less are larger than a leaf looks from so far.
+const FORM: u32 = 10_000;
+/// Triangles that flowers should have for where they are small; they have more at their coarsest.
+const FLOWERS: u32 = 2500;
+/// A form is worth keeping if it has at most this share of the triangles of the one before it.
+const COARSER: f32 = 0.6;
+/// So many pixels of the square around a plant need a triangle.
+const PIXELS_OF_TRIANGLE: f32 = 4.0;
+/// Pictures of plants do up to this width, and are so wide themselves; pixels.
+const VIEWS_BELOW: f32 = 100.0;
+const VIEW_PIXELS: u32 = 112;
 
 /// The models of a plant's levels, in their order; `whole` is its own.
 pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
@@ -65,6 +78,44 @@ pub(super) fn for_garden(plant: &FinishedPlant, whole: &Model, params: &Params, 
     let model = made(Level::Triangles(triangles));
     let is_too_fine = triangles <= FEW && model.triangle_count() > 2 * triangles as usize;
     if is_too_fine { made(Level::Billboards) } else { model }
+}
+
+/// A plant with coarser forms beside its model, for where it is small in a picture.
+pub(super) fn in_forms(plant: &FinishedPlant, model: Model, params: &Params) -> Grown {
+    let (coarser, views) = rayon::join(|| coarser(plant, &model, params), || views(plant, params));
+    Grown { model, coarser: coarser.into_iter().collect(), views, remarks: Vec::new() }
+}
+
+/// A coarser form of a plant of which `finest` is the model; none of one that has few triangles as it is.
+fn coarser(plant: &FinishedPlant, finest: &Model, params: &Params) -> Option<Coarser<Model>> {
+    let most = (COARSER * finest.triangle_count() as f32) as usize;
+    if most < FLOWERS as usize {
+        return None;
+    }
+    let form = if triangle_budget::has_large_flowers(plant) {
+        // Nobody plants roses for their leaves: what loses no flower does until pictures do.
+        let coarse = triangle_budget::coarsened(plant, &params.model, u64::from(FLOWERS));
+        model::build(plant, &coarse)
+    } else if most < FORM as usize {
+        return None;
+    } else {
+        levels(plant, finest, params, &[Level::Triangles(FORM)]).pop()?
+    };
+    let triangles = form.triangle_count();
+    let is_worth_it = triangles > 0 && triangles <= most;
+    is_worth_it.then(|| Coarser { form, pixels: (PIXELS_OF_TRIANGLE * triangles as f32).sqrt() })
+}
+
+/// A plant with pictures of it from many sides beside its model, which take less time than coarser forms.
+pub(super) fn with_views(plant: &FinishedPlant, model: Model, params: &Params) -> Grown {
+    Grown { views: views(plant, params), ..model.into() }
+}
+
+/// A plant as pictures from many sides, for where it is smaller still.
+fn views(plant: &FinishedPlant, params: &Params) -> Views<Model> {
+    let views = cards::views(plant, VIEW_PIXELS).into_iter();
+    let forms = views.map(|view| (view.toward, model::build(&view.flat, &params.model)));
+    Views { forms: forms.collect(), pixels: VIEWS_BELOW }
 }
 
 #[cfg(test)]

@@ -9,12 +9,12 @@
 
 use super::clock::Clock;
 use super::finish::Built;
-use super::garden_plants::{Grown, MadeOf, PlantOf, individuals};
+use super::garden_plants::{MadeOf, PlantOf, individuals};
 use super::setup::Params;
 use crate::budget::GardenBudget;
 use crate::garden::painted::{self, PaintedKind, Placed};
 use crate::garden::stock::Individual;
-use crate::garden::{Garden, Place, Stock};
+use crate::garden::{Garden, Grown, Place, Stock};
 use crate::quote;
 use crate::sketch::{GardenPlant, Remark, Sketch, Warning};
 use crate::species::Species;
@@ -143,7 +143,11 @@ impl Laying<'_> {
             wanted.push(std::mem::replace(&mut made_of, self.made_of(&triangles)));
             stock = self.stock(memory, &made_of, stop)?;
         }
-        wanted.push(made_of);
+        let is_other = |of: &MadeOf| !matches!(of.plant, PlantOf::Drawn(_));
+        let with_views: Vec<MadeOf> =
+            made_of.iter().map(|of| MadeOf { has_views: is_other(of), ..of.clone() }).collect();
+        stock = self.stock(memory, &with_views, stop)?;
+        wanted.extend([made_of, with_views]);
         memory.individuals.retain(|kept| wanted.iter().any(|made_of| made_of.contains(&kept.of)));
         memory.stocks.retain(|(made_of, _)| wanted.contains(made_of));
         let fitting = fitting(&stock, &places);
@@ -161,6 +165,7 @@ impl Laying<'_> {
             variants: if matches!(plant, PlantOf::Drawn(_)) { 1 } else { self.params.garden.variants },
             plant: plant.clone(),
             triangles: *triangles,
+            has_views: false,
         };
         self.plants.iter().zip(triangles).map(of).collect()
     }

@@ -2,6 +2,7 @@
 //! where the artist's scene has it.
 
 use super::finish::Built;
+use crate::garden::Seen;
 use crate::growth::Obstacles;
 use crate::model::{Mesh, Model, Part, PartKind};
 use crate::plant::{Material, OrganKind};
@@ -13,15 +14,15 @@ use std::sync::Arc;
 const COLOUR: [f32; 3] = [0.46, 0.42, 0.37];
 
 /// What is seen of a plant: its model with its garden, and what stands in its way.
-pub fn seen(built: &Built) -> Cow<'_, Model> {
-    let mut seen = Cow::Borrowed(&built.model);
-    if let Some(garden) = &built.garden {
-        garden.join(seen.to_mut());
+pub fn seen(built: &Built) -> Seen<'_> {
+    let model = match &built.obstacles {
+        Some(obstacles) => Cow::Owned(with_obstacles(&built.model, obstacles)),
+        None => Cow::Borrowed(&built.model),
+    };
+    match &built.garden {
+        Some(garden) => Seen::with_garden(model, garden),
+        None => Seen { model, crowd: None },
     }
-    if let Some(obstacles) = &built.obstacles {
-        seen = Cow::Owned(with_obstacles(&seen, obstacles));
-    }
-    seen
 }
 
 fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {

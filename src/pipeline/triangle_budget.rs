@@ -78,7 +78,7 @@ pub(super) fn fit(
     }
     let foliage = Foliage::of(&plant);
     let is_leafy = foliage.leaves + foliage.flowers >= FOLIAGE;
-    if (is_leafy || foliage.flowers > 1) && has_large_flowers(&plant, &foliage) {
+    if (is_leafy || foliage.flowers > 1) && are_large(&plant, &foliage) {
         return with_flowers(plant, params, &budget);
     }
     if !is_leafy {
@@ -95,7 +95,7 @@ pub fn coarsened(plant: &FinishedPlant, params: &ModelParams, wanted: u64) -> Mo
     if budget.count(plant, params) <= wanted {
         return params.clone();
     }
-    if has_large_flowers(plant, &Foliage::of(plant)) {
+    if has_large_flowers(plant) {
         flowers_coarser(params, 1.0 - finest_flowers(plant, params, &budget))
     } else {
         coarse(plant, params, &budget)
@@ -194,7 +194,11 @@ fn with_few_thorns(plant: FinishedPlant, params: &ModelParams, budget: &Budget<'
 }
 
 /// Whether a plant has flowers that are more than a few triangles each.
-fn has_large_flowers(plant: &FinishedPlant, foliage: &Foliage) -> bool {
+pub(super) fn has_large_flowers(plant: &FinishedPlant) -> bool {
+    are_large(plant, &Foliage::of(plant))
+}
+
+fn are_large(plant: &FinishedPlant, foliage: &Foliage) -> bool {
     let is_large = |organ: &Organ| match &organ.shape {
         Shape::Blade(blade) if organ.kind() == OrganKind::Petal => {
             plant.templates[blade.template].detail() == Detail::Moderate

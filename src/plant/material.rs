@@ -51,6 +51,9 @@ pub struct Material {
     pub texture: Option<Texture>,
     /// Whether the picture's alpha cuts the surface out.
     pub cut_out: bool,
+    /// Where the surface is cut out: the picture's opacity is how much of a place is covered, as that of a plant from afar; otherwise there is
+    /// something where it is one half.
+    pub covers_in_part: bool,
     /// Whether both sides are seen.
     pub double_sided: bool,
 }
@@ -70,6 +73,7 @@ impl Material {
             translucency: 0.0,
             texture: None,
             cut_out: false,
+            covers_in_part: false,
             double_sided: false,
         }
     }

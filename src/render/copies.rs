@@ -4,9 +4,10 @@
 //! has room for, which is more leaves than a plant may have.
 
 use super::RenderError;
-use super::corner::{Corner, Tint, corners};
+use super::corner::Tint;
 use super::drawn::{Drawn, PlacementRow};
 use super::gpu::Gpu;
+use super::shape::ResidentShape;
 use crate::model::{Copies, Mesh, Model, Part, Placement};
 use glam::Vec3;
 use std::collections::BTreeMap;
@@ -49,44 +50,25 @@ pub(super) fn check(part: &Part, copies: &Copies) -> Result<(), RenderError> {
 /// A group on the GPU.
 pub(super) struct ResidentCopies {
     pub(super) material: usize,
-    shape: Arc<Mesh>,
+    pub(super) shape: ResidentShape,
     /// Where they stand, as it was uploaded.
     placements: Vec<Placement>,
     pub(super) drawn: Drawn,
-    pub(super) tints: wgpu::Buffer,
-    tint: Tint,
-    pub(super) repeats: bool,
     pub(super) bounds: (Vec3, Vec3),
 }
 
 impl ResidentCopies {
     /// Uploads a group. Returns it with the number of bytes.
     pub(super) fn new(gpu: &Gpu, group: &Group<'_>, tint: Tint) -> (Self, u64) {
-        let shape = group.shape;
-        let corners: Vec<Corner> = corners(shape).collect();
-        let indices: &[u8] = bytemuck::cast_slice(&shape.triangles);
+        let (shape, bytes) = ResidentShape::new(gpu, group.shape, tint);
         let rows = rows(group);
-        let tints = vec![tint; corners.len()];
-        let vertex = |label, bytes| gpu.buffer(label, bytes, wgpu::BufferUsages::VERTEX);
-        let drawn = Drawn {
-            corners: vertex("shape", bytemuck::cast_slice(&corners)),
-            placements: vertex("placements", bytemuck::cast_slice(&rows)),
-            indices: gpu.buffer("shape", indices, wgpu::BufferUsages::INDEX),
-            range: 0..3 * shape.triangles.len() as u32,
-            copies: rows.len() as u32,
-        };
-        let tints = vertex("tints", bytemuck::cast_slice(&tints));
-        let buffers = [&drawn.corners, &drawn.placements, &drawn.indices, &tints];
-        let bytes = buffers.into_iter().map(wgpu::Buffer::size).sum();
-        let repeats = corners.iter().any(Corner::repeats);
+        let table = gpu.buffer("placements", bytemuck::cast_slice(&rows), wgpu::BufferUsages::VERTEX);
+        let bytes = bytes + table.size();
         let copies = Self {
             material: group.material,
-            shape: shape.clone(),
+            drawn: shape.drawn(table, 0..rows.len() as u32),
+            shape,
             placements: group.placements.iter().copied().copied().collect(),
-            drawn,
-            tints,
-            tint,
-            repeats,
             bounds: bounds(group),
         };
         (copies, bytes)
@@ -94,9 +76,7 @@ impl ResidentCopies {
 
     /// Whether it shows copies of this shape in this material, with this tint.
     pub(super) fn is_of(&self, group: &Group<'_>, tint: Tint) -> bool {
-        self.material == group.material
-            && self.tint == tint
-            && (Arc::ptr_eq(&self.shape, group.shape) || self.shape == *group.shape)
+        self.material == group.material && self.shape.is(group.shape, tint)
     }
 
     /// Puts the copies where those of a group of the same shape stand. Returns the number of bytes that were uploaded, none
@@ -108,18 +88,15 @@ impl ResidentCopies {
         let rows = rows(group);
         self.placements = group.placements.iter().copied().copied().collect();
         self.bounds = bounds(group);
-        self.drawn.placements =
-            gpu.buffer("placements", bytemuck::cast_slice(&rows), wgpu::BufferUsages::VERTEX);
-        self.drawn.copies = rows.len() as u32;
+        let table = gpu.buffer("placements", bytemuck::cast_slice(&rows), wgpu::BufferUsages::VERTEX);
+        self.drawn = self.shape.drawn(table, 0..rows.len() as u32);
         self.drawn.placements.size()
     }
 
     /// The edges of the shape's triangles, in place of the triangles.
     pub(super) fn edges(&self, gpu: &Gpu) -> Drawn {
-        let triangles = self.shape.triangles.iter();
-        let pairs: Vec<u32> = triangles.flat_map(|&[a, b, c]| [a, b, b, c, c, a]).collect();
-        let indices = gpu.buffer("edges", bytemuck::cast_slice(&pairs), wgpu::BufferUsages::INDEX);
-        Drawn { indices, range: 0..pairs.len() as u32, ..self.drawn.clone() }
+        let (indices, count) = self.shape.edges(gpu);
+        Drawn { indices, range: 0..count, ..self.drawn.clone() }
     }
 }
 

@@ -4,9 +4,10 @@
 //! ([`alone`]).
 
 use super::gpu::Gpu;
+use crate::garden::Place;
 use crate::model::Placement;
 use bytemuck::{Pod, Zeroable};
-use glam::Vec3;
+use glam::{Mat3, Vec3};
 use std::ops::Range;
 
 /// `Placement` in `placement.wgsl`.
@@ -24,6 +25,13 @@ impl From<&Placement> for PlacementRow {
         let world_from_shape = placement.world_from_shape();
         let [x, y, z] = [world_from_shape.x_axis, world_from_shape.y_axis, world_from_shape.z_axis];
         Self { x, y, z, origin: placement.base }
+    }
+}
+
+impl From<&Place> for PlacementRow {
+    fn from(place: &Place) -> Self {
+        let Mat3 { x_axis, y_axis, z_axis } = Mat3::from_quat(place.rotation) * place.scale;
+        Self { x: x_axis, y: y_axis, z: z_axis, origin: place.at }
     }
 }
 
@@ -47,15 +55,35 @@ pub(super) struct Drawn {
     pub(super) placements: wgpu::Buffer,
     pub(super) indices: wgpu::Buffer,
     pub(super) range: Range<u32>,
-    pub(super) copies: u32,
+    /// Rows of the placements, those outside of the picture among them, whose shadows may lie inside.
+    pub(super) copies: Range<u32>,
+    /// Those of which something may be seen.
+    pub(super) in_view: Range<u32>,
 }
 
 impl Drawn {
-    /// Draws into a pass whose pipeline and bind groups are set.
+    /// Triangles of the copies of which something may be seen.
+    pub(super) fn triangles_in_view(&self) -> u64 {
+        self.range.len() as u64 / 3 * self.in_view.len() as u64
+    }
+
+    /// Draws what may be seen into a pass whose pipeline and bind groups are set.
     pub(super) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_rows(pass, &self.in_view);
+    }
+
+    /// Draws everything.
+    pub(super) fn draw_all(&self, pass: &mut wgpu::RenderPass<'_>) {
+        self.draw_rows(pass, &self.copies);
+    }
+
+    fn draw_rows(&self, pass: &mut wgpu::RenderPass<'_>, rows: &Range<u32>) {
+        if rows.is_empty() {
+            return;
+        }
         pass.set_vertex_buffer(0, self.corners.slice(..));
         pass.set_vertex_buffer(1, self.placements.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(self.range.clone(), 0, 0..self.copies);
+        pass.draw_indexed(self.range.clone(), 0, rows.clone());
     }
 }

@@ -259,9 +259,9 @@ mod tests {
     fn a_lost_device_is_an_error() {
         let mut renderer = Renderer::new().unwrap();
         let options = PictureOptions { width: 8, height: 8, background: Background::Paper };
-        let uploaded = renderer.upload(&triangle(), &|_| Err("none".into())).unwrap();
-        let draw =
-            |renderer: &mut Renderer| renderer.pictures(&uploaded, &[View::default()], &options).next();
+        let mut uploaded = renderer.upload(&triangle(), &|_| Err("none".into())).unwrap();
+        let mut draw =
+            |renderer: &mut Renderer| renderer.pictures(&mut uploaded, &[View::default()], &options).next();
         assert!(matches!(draw(&mut renderer), Some(Ok(_))));
         renderer.gpu().device.destroy();
         assert!(matches!(draw(&mut renderer), Some(Err(RenderError::Gpu { .. }))));

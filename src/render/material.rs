@@ -33,7 +33,8 @@ struct MaterialUniform {
 
 impl From<&Material> for MaterialUniform {
     fn from(m: &Material) -> Self {
-        let cut_out = f32::from(u8::from(m.cut_out && m.texture.is_some()));
+        let is_cut_out = m.cut_out && m.texture.is_some();
+        let cut_out = f32::from(u8::from(is_cut_out) + u8::from(is_cut_out && m.covers_in_part));
         Self {
             ambient: Vec3::from(m.ambient).extend(m.translucency),
             diffuse: Vec3::from(m.diffuse).extend(cut_out),

@@ -16,7 +16,8 @@
 //! | `overlay` | `overlay.wgsl` | spots and lines over the plant |
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
-//! `copies` are the shapes of which there are many, drawn with `placement.wgsl`. `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
+//! `copies` are the shapes of which there are many, drawn with `placement.wgsl`; `crowd` are the plants of a garden, each as fine as its
+//! size in the picture asks for (`sight`), `shape` is what both have on the GPU. `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
 //!
 //! [`camera`], [`orbit`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
 //! decides the look. [`viewport`] is a live view for the window: `resident` keeps a changing model on the GPU, in `pool`s
@@ -35,6 +36,7 @@ pub mod walk;
 mod arena;
 mod copies;
 mod corner;
+mod crowd;
 mod debug;
 mod drawn;
 mod frame;
@@ -55,6 +57,8 @@ mod resident;
 mod scene;
 mod shaders;
 mod shadow;
+mod shape;
+mod sight;
 mod studio;
 mod surface;
 mod target;

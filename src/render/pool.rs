@@ -160,7 +160,8 @@ impl Pool {
             placements: self.placement.clone(),
             indices: self.indices.buffer.clone(),
             range: 0..self.index_arena.end(),
-            copies: 1,
+            copies: 0..1,
+            in_view: 0..1,
         }
     }
 

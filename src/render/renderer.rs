@@ -10,10 +10,12 @@ use super::look::Background;
 use super::material::{MaterialLayout, TextureSource};
 use super::scene::{Scene, SceneLayout, SkyMaps};
 use super::shadow::ShadowRenderer;
+use super::sight::Sight;
 use super::surface::{SurfaceDrawData, SurfaceRenderer};
 use super::target::OffscreenTarget;
 use super::{OrbitCamera, RenderError, RenderedImage, View};
-use crate::model::{Model, Part};
+use crate::garden::{Crowd, Seen};
+use crate::model::Part;
 use crate::sketch::Sketch;
 use bytemuck::Zeroable;
 use glam::{Vec2, Vec3};
@@ -52,6 +54,11 @@ pub struct ModelDrawData {
 }
 
 impl ModelDrawData {
+    /// How many triangles the last picture of it had, what was outside of it left out.
+    pub fn triangles_in_view(&self) -> u64 {
+        self.surface.triangles_in_view()
+    }
+
     /// The same model, framed and lit as if it were another: for pictures that follow one another.
     #[must_use]
     pub fn framed_as(self, other: &Self) -> Self {
@@ -153,32 +160,38 @@ impl Renderer {
         &self.gpu
     }
 
-    /// Uploads a model with its textures.
+    /// Uploads a model with its textures, and with the plants of a garden if it has one.
     ///
     /// # Errors
     /// An empty or contradictory model, a texture that cannot be used, or a failure of the driver.
-    pub fn upload(&self, model: &Model, textures: &TextureSource<'_>) -> Result<ModelDrawData, RenderError> {
-        let bounds = model.bounds().filter(|_| model.triangle_count() > 0);
+    pub fn upload<'s>(
+        &self,
+        seen: impl Into<Seen<'s>>,
+        textures: &TextureSource<'_>,
+    ) -> Result<ModelDrawData, RenderError> {
+        let seen = seen.into();
+        let bounds = seen.bounds().filter(|_| seen.counts()[1] > 0);
         let bounds = bounds.ok_or(RenderError::Empty { what: "the model" })?;
-        let surface = SurfaceDrawData::new(&self.gpu, &self.materials, model, textures)?;
+        let surface = SurfaceDrawData::new(&self.gpu, &self.materials, &seen, textures)?;
         self.gpu.check()?;
-        let points = model.parts.iter().flat_map(Part::points).collect();
-        Ok(ModelDrawData { surface, points, bounds, ground: model.ground_level() })
+        let points = seen.model.parts.iter().flat_map(Part::points);
+        let points = points.chain(seen.crowd.iter().flat_map(Crowd::outermost_points)).collect();
+        Ok(ModelDrawData { surface, points, bounds, ground: seen.model.ground_level() })
     }
 
     /// One picture of a model.
     ///
     /// # Errors
     /// As [`Renderer::upload`] and [`Renderer::pictures`].
-    pub fn picture(
+    pub fn picture<'s>(
         &mut self,
-        model: &Model,
+        seen: impl Into<Seen<'s>>,
         textures: &TextureSource<'_>,
         view: &View,
         options: &PictureOptions,
     ) -> Result<RenderedImage, RenderError> {
-        let model = self.upload(model, textures)?;
-        let mut pictures = self.pictures(&model, std::slice::from_ref(view), options);
+        let mut model = self.upload(seen, textures)?;
+        let mut pictures = self.pictures(&mut model, std::slice::from_ref(view), options);
         pictures.next().unwrap_or(Err(RenderError::Empty { what: "the list of views" }))
     }
 
@@ -188,7 +201,7 @@ impl Renderer {
     /// Each picture's own: [`RenderError::Size`], or a failure of the driver.
     pub fn pictures<'a>(
         &'a mut self,
-        model: &'a ModelDrawData,
+        model: &'a mut ModelDrawData,
         views: &'a [View],
         options: &PictureOptions,
     ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
@@ -203,24 +216,24 @@ impl Renderer {
     /// As for [`Renderer::pictures`].
     pub fn pictures_by<'a>(
         &'a mut self,
-        model: &'a ModelDrawData,
+        model: &'a mut ModelDrawData,
         cameras: &'a [OrbitCamera],
         options: &PictureOptions,
     ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
-        let aspect = options.aspect();
-        let seen =
-            cameras.iter().map(move |camera| (camera.camera(model.bounds, aspect), camera.level_axes()));
+        let (aspect, bounds) = (options.aspect(), model.bounds);
+        let seen = cameras.iter().map(move |camera| (camera.camera(bounds, aspect), camera.level_axes()));
         self.shots(model, seen, *options)
     }
 
     /// A picture by each camera, with lamps that stand in these axes.
     fn shots<'a>(
         &'a mut self,
-        model: &'a ModelDrawData,
+        model: &'a mut ModelDrawData,
         seen: impl Iterator<Item = (Camera, Axes)> + 'a,
         options: PictureOptions,
     ) -> impl Iterator<Item = Result<RenderedImage, RenderError>> + 'a {
         seen.map(move |(camera, axes)| {
+            model.surface.choose(&self.gpu, &Sight::new(&camera, options.height));
             let frame = FrameUniform::new(&camera, model.bounds, (options.background, model.ground));
             let light = LightUniform::new(model.bounds, &axes, &LightParams::default(), SUN_MAP_SIZE);
             self.draw_model(model, &frame, &light, &options)

@@ -8,12 +8,14 @@
 use super::RenderError;
 use super::copies::{self, ResidentCopies};
 use super::corner::{Corner, Tint};
+use super::crowd::CrowdDrawData;
 use super::debug;
 use super::drawn::Drawn;
 use super::gpu::Gpu;
 use super::material::{MaterialLayout, Pictures, TextureSource};
 use super::pool::{Place, Pool};
 use super::surface::{self, Batch, Room, Submesh, SurfaceDrawData};
+use crate::garden::Seen;
 use crate::model::{Mesh, Model, PartKind};
 use crate::plant::Material;
 use crate::random::mix;
@@ -104,9 +106,10 @@ impl ResidentModel {
         &mut self,
         gpu: &Gpu,
         layout: &MaterialLayout,
-        model: &Model,
+        seen: &Seen<'_>,
         textures: &TextureSource<'_>,
     ) -> Result<UploadStats, RenderError> {
+        let model = &*seen.model;
         surface::check_materials(model)?;
         let known_pictures = self.pictures.len();
         let views = self.load_pictures(gpu, layout, &model.materials, textures)?;
@@ -116,6 +119,7 @@ impl ResidentModel {
             ..Default::default()
         };
         let corners = self.new_corners(model, Room::of(gpu))?;
+        self.place_crowd(gpu, seen, &mut stats)?;
         self.place(gpu, model, corners, &mut stats);
         self.place_copies(gpu, model, &mut stats);
         for pool in self.pools.values_mut() {
@@ -127,8 +131,9 @@ impl ResidentModel {
         }
         let boxes = self.residents.iter().map(|r| r.bounds).chain(self.copies.iter().map(|c| c.bounds));
         let boxes = boxes.filter(|(lo, _)| lo.is_finite());
+        let of_crowd = seen.crowd.iter().filter_map(|crowd| crowd.bounds());
         self.ground = model.ground_level();
-        self.bounds = boxes.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        self.bounds = boxes.chain(of_crowd).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
         gpu.check()?;
         Ok(stats)
     }
@@ -237,6 +242,27 @@ impl ResidentModel {
         stats.removed_parts += known.iter().flatten().count();
     }
 
+    /// Brings the plants of a garden in step: shapes that were there already stay.
+    fn place_crowd(
+        &mut self,
+        gpu: &Gpu,
+        seen: &Seen<'_>,
+        stats: &mut UploadStats,
+    ) -> Result<(), RenderError> {
+        let known = &mut self.surface.crowd;
+        match &seen.crowd {
+            Some(crowd) if known.as_ref().is_some_and(|known| known.is_of(crowd)) => {}
+            Some(crowd) => {
+                let (uploaded, bytes) = CrowdDrawData::new(gpu, &seen.model, crowd, known.take())?;
+                *known = Some(uploaded);
+                stats.uploaded_parts += 1;
+                stats.bytes += bytes;
+            }
+            None => stats.removed_parts += usize::from(known.take().is_some()),
+        }
+        Ok(())
+    }
+
     /// The first pool of a material that can take so many corners and triangles in, or a new one.
     fn pool_with_room(&self, material: usize, corners: usize, triangles: usize) -> PoolKey {
         let mut number = 0;
@@ -259,7 +285,10 @@ impl ResidentModel {
             repeats[resident.pool.0] |= resident.repeats;
         }
         for copies in &self.copies {
-            repeats[copies.material] |= copies.repeats;
+            repeats[copies.material] |= copies.shape.repeats;
+        }
+        if let Some(crowd) = &self.surface.crowd {
+            repeats.iter_mut().enumerate().for_each(|(i, repeat)| *repeat |= crowd.repeats(i));
         }
         let mut changed = self.materials.len() != model.materials.len();
         let mut groups = Vec::with_capacity(repeats.len());
@@ -279,28 +308,34 @@ impl ResidentModel {
         let batch = |(material, drawn): (usize, Drawn)| {
             Batch::new(&self.materials[material], self.groups[material].1.clone(), drawn)
         };
-        self.surface = SurfaceDrawData { batches: drawn.map(batch).collect() };
+        let crowd = self.surface.crowd.take();
+        let of_crowd = crowd.iter().flat_map(CrowdDrawData::drawn);
+        let batches = drawn.chain(of_crowd).map(batch).collect();
+        self.surface = SurfaceDrawData { batches, crowd };
         changed
     }
 
     /// All faces with their tints.
     pub(super) fn faces(&self) -> impl Iterator<Item = (Drawn, &wgpu::Buffer)> {
         let pools = self.pools.values().map(|pool| (pool.drawn(), pool.tints()));
-        pools.chain(self.copies.iter().map(|copies| (copies.drawn.clone(), &copies.tints)))
+        let copies = self.copies.iter().map(|copies| (copies.drawn.clone(), &copies.shape.tints));
+        pools.chain(copies).chain(self.surface.crowd.iter().flat_map(CrowdDrawData::faces))
     }
 
     /// The edges of all triangles with their tints, uploaded when they are first asked for.
-    pub(super) fn edges(&mut self, gpu: &Gpu) -> impl Iterator<Item = (&Drawn, &wgpu::Buffer)> {
+    pub(super) fn edges(&mut self, gpu: &Gpu) -> Vec<(Drawn, wgpu::Buffer)> {
         let version = self.version;
         if self.edges.as_ref().is_none_or(|(of, _)| *of != version) {
             self.edges = Some((version, self.upload_edges(gpu)));
         }
-        self.edges.iter().flat_map(|(_, edges)| edges).map(|(edges, tints)| (edges, tints))
+        let of_crowd = self.surface.crowd.iter_mut().flat_map(|crowd| crowd.edges(gpu));
+        self.edges.iter().flat_map(|(_, edges)| edges.iter().cloned()).chain(of_crowd).collect()
     }
 
     /// Lets the edges go.
     pub(super) fn forget_edges(&mut self) {
         self.edges = None;
+        self.surface.crowd.iter_mut().for_each(CrowdDrawData::forget_edges);
     }
 
     fn upload_edges(&self, gpu: &Gpu) -> Vec<(Drawn, wgpu::Buffer)> {
@@ -319,7 +354,9 @@ impl ResidentModel {
             let drawn = Drawn { indices, range: 0..pairs.len() as u32, ..pool.drawn() };
             Some((drawn, pool.tints().clone()))
         });
-        of_pools.chain(self.copies.iter().map(|copies| (copies.edges(gpu), copies.tints.clone()))).collect()
+        of_pools
+            .chain(self.copies.iter().map(|copies| (copies.edges(gpu), copies.shape.tints.clone())))
+            .collect()
     }
 }
 

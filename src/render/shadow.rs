@@ -86,7 +86,7 @@ impl ShadowRenderer {
                 ..Default::default()
             });
             pass.set_bind_group(0, &self.group, &[offset]);
-            surface.draw(&mut pass, |batch| Some(if batch.cut_out { &self.cut_out } else { &self.solid }));
+            surface.draw_all(&mut pass, [&self.solid, &self.cut_out]);
         }
     }
 }

@@ -4,12 +4,15 @@
 use super::RenderError;
 use super::copies::{self, ResidentCopies};
 use super::corner::{self, CORNER_LAYOUT, Corner, Tint};
+use super::crowd::CrowdDrawData;
 use super::drawn::{self, Drawn, PLACEMENT_LAYOUT};
 use super::gpu::Gpu;
 use super::material::{MaterialLayout, TextureSource};
 use super::pipeline::{Into, PipelineSpec};
 use super::scene::SceneLayout;
 use super::shaders;
+use super::sight::Sight;
+use crate::garden::Seen;
 use crate::model::{Mesh, Model, Part};
 use crate::plant::Material;
 use std::borrow::Cow;
@@ -137,7 +140,7 @@ pub(super) fn check_materials(model: &Model) -> Result<(), RenderError> {
 pub(super) struct Batch {
     drawn: Drawn,
     group: wgpu::BindGroup,
-    pub(super) cut_out: bool,
+    cut_out: bool,
     double_sided: bool,
 }
 
@@ -149,10 +152,12 @@ impl Batch {
     }
 }
 
-/// One uploaded model.
+/// One uploaded model, with the plants of a garden.
 #[derive(Default)]
 pub(super) struct SurfaceDrawData {
+    /// The last are those of the crowd's surfaces.
     pub(super) batches: Vec<Batch>,
+    pub(super) crowd: Option<CrowdDrawData>,
 }
 
 impl SurfaceDrawData {
@@ -163,9 +168,10 @@ impl SurfaceDrawData {
     pub(super) fn new(
         gpu: &Gpu,
         materials: &MaterialLayout,
-        model: &Model,
+        seen: &Seen<'_>,
         textures: &TextureSource<'_>,
     ) -> Result<Self, RenderError> {
+        let model = &*seen.model;
         check_materials(model)?;
         let mut gathering = Gathering::new(gpu, model);
         for material in 0..model.materials.len() {
@@ -179,18 +185,43 @@ impl SurfaceDrawData {
         let Gathering { mut uploaded, mut repeats, .. } = gathering;
         for group in copies::groups(model) {
             let (copies, _) = ResidentCopies::new(gpu, &group, Tint::default());
-            repeats[group.material] |= copies.repeats;
+            repeats[group.material] |= copies.shape.repeats;
             uploaded.push((group.material, copies.drawn));
+        }
+        let crowd =
+            seen.crowd.as_ref().map(|crowd| CrowdDrawData::new(gpu, model, crowd, None)).transpose()?;
+        let crowd = crowd.map(|(crowd, _)| crowd);
+        if let Some(crowd) = &crowd {
+            repeats.iter_mut().enumerate().for_each(|(i, repeat)| *repeat |= crowd.repeats(i));
+            uploaded.extend(crowd.drawn());
         }
         let groups = materials.upload(gpu, &model.materials, &repeats, textures)?;
         let batch = |(material, drawn): (usize, Drawn)| {
             Batch::new(&model.materials[material], groups[material].clone(), drawn)
         };
-        Ok(Self { batches: uploaded.into_iter().map(batch).collect() })
+        Ok(Self { batches: uploaded.into_iter().map(batch).collect(), crowd })
     }
 
-    /// Draws the batches for which a pipeline is chosen.
-    pub(super) fn draw<'a>(
+    /// Chooses for every plant of the garden the form in which a camera sees it. Whether any changed.
+    pub(super) fn choose(&mut self, gpu: &Gpu, sight: &Sight) -> bool {
+        let Some(crowd) = &mut self.crowd else { return false };
+        let has_changed = crowd.choose(gpu, sight);
+        if has_changed {
+            let first = self.batches.len() - crowd.drawn().count();
+            for (batch, (_, drawn)) in self.batches[first..].iter_mut().zip(crowd.drawn()) {
+                batch.drawn = drawn;
+            }
+        }
+        has_changed
+    }
+
+    /// Triangles of which something may be seen.
+    pub(super) fn triangles_in_view(&self) -> u64 {
+        self.batches.iter().map(|batch| batch.drawn.triangles_in_view()).sum()
+    }
+
+    /// Draws what may be seen of the batches for which a pipeline is chosen.
+    fn draw<'a>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: impl Fn(&Batch) -> Option<&'a wgpu::RenderPipeline>,
@@ -199,6 +230,19 @@ impl SurfaceDrawData {
             pass.set_pipeline(pipeline);
             pass.set_bind_group(1, &batch.group, &[]);
             batch.drawn.draw(pass);
+        }
+    }
+
+    /// Draws everything, with one pipeline for what is solid and one for what is cut out.
+    pub(super) fn draw_all(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        [solid, cut_out]: [&wgpu::RenderPipeline; 2],
+    ) {
+        for batch in &self.batches {
+            pass.set_pipeline(if batch.cut_out { cut_out } else { solid });
+            pass.set_bind_group(1, &batch.group, &[]);
+            batch.drawn.draw_all(pass);
         }
     }
 }
@@ -261,7 +305,8 @@ impl<'a> Gathering<'a> {
         let buffer = |label, bytes, usage| self.gpu.buffer(label, bytes, usage);
         let corners = buffer("corners", bytemuck::cast_slice(&self.corners), wgpu::BufferUsages::VERTEX);
         let indices = buffer("indices", bytemuck::cast_slice(&self.indices), wgpu::BufferUsages::INDEX);
-        let all = Drawn { corners, placements: drawn::alone(self.gpu), indices, range: 0..0, copies: 1 };
+        let (placements, one) = (drawn::alone(self.gpu), 0..1);
+        let all = Drawn { corners, placements, indices, range: 0..0, copies: one.clone(), in_view: one };
         self.uploaded.extend(
             self.ranges.drain(..).map(|(material, range)| (material, Drawn { range, ..all.clone() })),
         );

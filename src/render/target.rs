@@ -58,6 +58,11 @@ impl PictureBuffers {
         Ok(Self { width, height, colour, depth, resolved, resolved_view })
     }
 
+    /// Their height in pixels.
+    pub(super) fn height(&self) -> u32 {
+        self.height
+    }
+
     /// Whether a picture of this size fits exactly.
     pub(super) fn has_size(&self, width: u32, height: u32) -> bool {
         (self.width, self.height) == (width, height)

@@ -17,13 +17,14 @@ use super::overlay::{OverlayDrawData, OverlayRenderer, Spot};
 use super::present::{PresentRenderer, SHOWN_FORMAT};
 use super::resident::ResidentModel;
 use super::scene::{Scene, SkyMaps};
+use super::sight::Sight;
 use super::surface::SurfaceRenderer;
 use super::target::{PictureBuffers, Readback};
 use super::{
     Background, Look, Mode, OrbitCamera, Quality, RenderError, RenderedImage, Renderer, TextureSource,
     UploadStats,
 };
-use crate::model::Model;
+use crate::garden::Seen;
 use glam::{Mat4, Vec3};
 
 /// Constants of `light.wgsl` and `surface.wgsl` for drafts.
@@ -71,8 +72,22 @@ impl ShownPicture {
     }
 }
 
-/// What a shadow map shows: the lamp's place and the model's version.
-type MapState = Option<(Mat4, u64)>;
+/// What casts shadows: the version of the model, and that of the forms which were chosen for the plants of a garden.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Casters {
+    model: u64,
+    forms: u64,
+}
+
+impl Casters {
+    /// Whether a map of these will do. While somebody walks through a garden, shadows of what its plants were a moment ago do.
+    fn will_do(self, for_now: Self, hurried: bool) -> bool {
+        self.model == for_now.model && (hurried || self.forms == for_now.forms)
+    }
+}
+
+/// What a shadow map shows: the lamp's place and what casts the shadows.
+type MapState = Option<(Mat4, Casters)>;
 
 /// A scene with what its sun's map shows.
 struct LitScene {
@@ -88,6 +103,8 @@ pub struct Viewport {
     sky: [MapState; SKY_LAMPS],
     /// The light as it was last drawn: its sky lamps are those of the maps.
     light: Option<LightUniform>,
+    /// How often other forms were chosen for the plants of a garden.
+    forms: u64,
     draft_surface: SurfaceRenderer,
     draft_ground: GroundRenderer,
     debug: DebugRenderer,
@@ -121,6 +138,7 @@ impl Viewport {
             draft: scene(DRAFT_SUN_MAP_SIZE),
             sky: [None; SKY_LAMPS],
             light: None,
+            forms: 0,
             draft_surface: SurfaceRenderer::new(gpu, scenes, materials, &DRAFT_SURFACE),
             draft_ground: GroundRenderer::new(gpu, scenes, &DRAFT_GROUND),
             debug: DebugRenderer::new(gpu, scenes),
@@ -150,13 +168,13 @@ impl Viewport {
     /// # Errors
     /// A model that contradicts itself or a texture that cannot be used, both with the view unchanged; or a failure of
     /// the driver.
-    pub fn update(
+    pub fn update<'s>(
         &mut self,
         renderer: &Renderer,
-        model: &Model,
+        seen: impl Into<Seen<'s>>,
         textures: &TextureSource<'_>,
     ) -> Result<UploadStats, RenderError> {
-        self.model.update(&renderer.gpu, &renderer.materials, model, textures)
+        self.model.update(&renderer.gpu, &renderer.materials, &seen.into(), textures)
     }
 
     /// Shows these spots over the model, instead of those before; none for nothing.
@@ -281,7 +299,12 @@ impl Viewport {
     ) {
         let bounds = self.model.bounds.unwrap_or(NOTHING);
         let ground = (look.background, self.model.ground);
-        let frame = FrameUniform::new(&camera.camera(bounds, self.aspect()), bounds, ground);
+        let height = self.buffers[slot(look.quality)].as_ref().map_or(self.size.1, PictureBuffers::height);
+        let camera_there = camera.camera(bounds, self.aspect());
+        let frame = FrameUniform::new(&camera_there, bounds, ground);
+        if self.model.surface.choose(&renderer.gpu, &Sight::new(&camera_there, height)) {
+            self.forms += 1;
+        }
         let lit = match look.quality {
             Quality::Draft => &mut self.draft,
             Quality::Full => &mut self.full,
@@ -289,18 +312,18 @@ impl Viewport {
         let axes = camera.level_axes();
         let mut light = LightUniform::new(bounds, &axes, &look.light, lit.scene.sun_map_size);
         if look.mode == Mode::Shaded || look.background != Background::Transparent {
-            let version = self.model.version;
             let hurried = look.quality == Quality::Draft;
+            let casters = Casters { model: self.model.version, forms: self.forms };
             let per_draft = if renderer.is_software() { SKY_LAMPS_PER_DRAFT } else { SKY_LAMPS };
-            let mut renewed = renewed_sky(&mut self.sky, &light, version, hurried.then_some(per_draft));
+            let mut renewed = renewed_sky(&mut self.sky, &light, casters, hurried.then_some(per_draft));
             if let Some(drawn) = &self.light {
                 for (i, lamp) in light.sky.iter_mut().enumerate().filter(|(i, _)| !renewed.contains(i)) {
                     *lamp = drawn.sky[i].with_radiance_of(lamp);
                 }
             }
-            let sun = Some((light.sun.lamp_from_world, version));
-            if lit.sun != sun {
-                lit.sun = sun;
+            let sun = light.sun.lamp_from_world;
+            if !lit.sun.is_some_and(|(lamp, shown)| lamp == sun && shown.will_do(casters, hurried)) {
+                lit.sun = Some((sun, casters));
                 renewed.push(SKY_LAMPS);
             }
             let lamps = light.lamps().zip(&lit.scene.maps).enumerate().map(|(i, (lamp, map))| (i, lamp, map));
@@ -338,7 +361,7 @@ impl Viewport {
         match look.mode {
             Mode::Wireframe => {
                 for (edges, tints) in self.model.edges(&renderer.gpu) {
-                    self.debug.draw_edges(&mut pass, edges, tints);
+                    self.debug.draw_edges(&mut pass, &edges, &tints);
                 }
             }
             Mode::PartColours => self.model.forget_edges(),
@@ -355,13 +378,15 @@ impl Viewport {
 fn renewed_sky(
     state: &mut [MapState; SKY_LAMPS],
     light: &LightUniform,
-    version: u64,
+    casters: Casters,
     limit: Option<usize>,
 ) -> Vec<usize> {
     let lamps = 0..SKY_LAMPS;
     let mut renewed: Vec<usize> = match limit {
-        None => lamps.filter(|&i| state[i] != Some((light.sky[i].lamp_from_world, version))).collect(),
-        Some(_) => lamps.filter(|&i| state[i].is_none_or(|(_, shown)| shown != version)).collect(),
+        None => lamps.filter(|&i| state[i] != Some((light.sky[i].lamp_from_world, casters))).collect(),
+        Some(_) => {
+            lamps.filter(|&i| state[i].is_none_or(|(_, shown)| !shown.will_do(casters, true))).collect()
+        }
     };
     if let Some(limit) = limit {
         let empty = renewed.iter().filter(|&&i| state[i].is_none()).count();
@@ -369,7 +394,7 @@ fn renewed_sky(
         renewed.truncate(limit.max(empty));
     }
     for &i in &renewed {
-        state[i] = Some((light.sky[i].lamp_from_world, version));
+        state[i] = Some((light.sky[i].lamp_from_world, casters));
     }
     renewed
 }

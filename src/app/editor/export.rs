@@ -184,7 +184,7 @@ fn picture(renderer: &mut Renderer, order: &Order, camera: &OrbitCamera) -> Resu
     use crate::render::{Background, Look, Viewport};
     let mut viewport = Viewport::new(renderer).map_err(boxed)?;
     viewport.set_size(order.choice.width, order.choice.height);
-    viewport.update(renderer, &pipeline::seen(&order.built), &texture_files::texture).map_err(boxed)?;
+    viewport.update(renderer, pipeline::seen(&order.built), &texture_files::texture).map_err(boxed)?;
     let background = match order.choice.transparent {
         true => Background::Transparent,
         false if order.view.is_outdoors() => Background::Outdoors,

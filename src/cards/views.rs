@@ -1,0 +1,126 @@
+//! A whole plant as pictures from many sides, for where it is small: of each copy one is shown, that from the side nearest to the
+//! viewer's.
+//!
+//! The sides are eight around at three heights, and the one from above. Each picture is on a card square to its side, before the plant, so
+//! that no ground hides any of it. The pictures of a plant are one.
+//!
+//! Limits: between two sides the plant is up to 23 degrees turned from where it should be. Its shadow is that of the card.
+
+use super::atlas::grid;
+use super::picture::{Cell, Drawing};
+use super::sky::Sky;
+use super::surfaces::{Surfaces, Triangle};
+use crate::model::{self, ModelParams};
+use crate::picture::Picture;
+use crate::plant::{FinishedPlant, Shape};
+use glam::{Vec2, Vec3};
+use rayon::prelude::*;
+use std::f32::consts::TAU;
+
+/// How many sides there are around a plant, and how high each row of them is, degrees.
+const AROUND: usize = 8;
+const HEIGHTS: [f32; 3] = [5.0, 32.0, 60.0];
+/// Pictures beside one another: five rows of five.
+const COLUMNS: usize = 5;
+/// How coarse the surfaces are that are painted: nobody sees the corners of a leaf of a few pixels.
+const COARSE: f32 = 0.6;
+/// How much larger a card is than what it shows, share of its extent.
+const MARGIN: f32 = 0.02;
+
+/// A plant as it is seen from one side.
+pub(super) struct View {
+    /// Toward the viewer, of length 1.
+    pub(super) toward: Vec3,
+    /// Its card.
+    pub(super) card: Shape,
+}
+
+/// The sides from which plants are seen.
+fn sides() -> impl Iterator<Item = Vec3> {
+    let around = HEIGHTS.into_iter().flat_map(|height| {
+        let (up, level) = height.to_radians().sin_cos();
+        (0..AROUND).map(move |i| {
+            let (sin, cos) = (TAU * i as f32 / AROUND as f32).sin_cos();
+            Vec3::new(level * sin, up, level * cos)
+        })
+    });
+    around.chain([Vec3::Y])
+}
+
+/// The picture of a plant from all sides, at most so many pixels wide and high from each, and the cards that show it; none of a plant
+/// without surfaces.
+pub(super) fn painted(plant: &FinishedPlant, pixels: u32) -> Option<(Picture, Vec<View>)> {
+    let surfaces = Surfaces::new(plant, model::coarser(&ModelParams::default(), COARSE).into_owned());
+    let triangles = surfaces.triangles(plant, &|| false).filter(|all| !all.is_empty())?;
+    let sky = Sky::over(&triangles);
+    let drawing = Drawing { pixels, share: 1.0 };
+    let cards: Vec<(Vec3, [Vec3; 3])> = sides().map(|toward| (toward, around(&triangles, toward))).collect();
+    let paint = |(_, [base, u, v]): &(Vec3, [Vec3; 3])| {
+        Cell::painted(&triangles, Some(&sky), (*base, *u, *v), drawing)
+    };
+    let cells: Vec<Cell> = cards.par_iter().map(paint).collect();
+    let all: Vec<&Cell> = cells.iter().collect();
+    let picture = Picture::new(grid(&all, COLUMNS, pixels as usize)?.to_png().ok()?).ok()?;
+    let squares = Vec2::new(COLUMNS as f32, cells.len().div_ceil(COLUMNS) as f32);
+    let view = |(i, &(toward, [base, u, v])): (usize, &(Vec3, [Vec3; 3]))| {
+        let (column, row) = ((i % COLUMNS) as f32, (i / COLUMNS) as f32);
+        let low = Vec2::new(column, squares.y - 1.0 - row) / squares;
+        let window = [low, low + cells[i].size.as_vec2() / pixels as f32 / squares];
+        View { toward, card: Shape::Card { base, u, v, window } }
+    };
+    let views = cards.iter().enumerate().map(view).collect();
+    Some((picture, views))
+}
+
+/// The card square to a side: the middle of its lower edge, its width and its height. It touches the foremost point.
+fn around(triangles: &[Triangle<'_>], toward: Vec3) -> [Vec3; 3] {
+    let right = Vec3::Y.cross(toward).try_normalize().unwrap_or(Vec3::X);
+    let up = toward.cross(right);
+    let corners = triangles.iter().flat_map(|triangle| &triangle.corners);
+    let seen =
+        corners.map(|corner| Vec3::new(corner.at.dot(right), corner.at.dot(up), corner.at.dot(toward)));
+    let (low, high) =
+        seen.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
+    let margin = (MARGIN * (high - low)).max(Vec3::splat(f32::MIN_POSITIVE.sqrt()));
+    let (low, high) = (low - margin, high + margin);
+    let base = right * low.x.midpoint(high.x) + up * low.y + toward * high.z;
+    [base, right * (high.x - low.x), up * (high.y - low.y)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::growth;
+    use crate::picture::decode::Rgba;
+    use crate::plant::{Plant, Provenance};
+    use crate::species::{self, Species};
+
+    #[test]
+    fn a_plant_is_seen_from_all_sides_as_wide_as_it_is() {
+        let oak = Species::built_in("oak").unwrap();
+        let limits = growth::Limits::default();
+        let mut simulation = growth::Simulation::new(oak.growth.as_ref().unwrap(), 1, limits);
+        simulation.grow_to(6, &|| false);
+        let growth::PlantAtAge { plant, buds } = growth::plant_at(&simulation, 6.0);
+        let plant = species::apply(plant, &buds, &Provenance::default(), &oak, 1).plant;
+        let (picture, views) = painted(&plant, 48).unwrap();
+        let Rgba { width, height, pixels } = picture.pixels().unwrap();
+        assert_eq!((width, height, views.len()), (5 * 48, 5 * 48, 25));
+        for (i, View { toward, card }) in views.iter().enumerate() {
+            let Shape::Card { base, u, v, window: [low, high] } = card else { panic!("no card") };
+            assert!(u.cross(*v).normalize().dot(*toward) > 0.999 && base.is_finite(), "{i}");
+            // Something of the plant reaches to each edge of its window.
+            let size = Vec2::new(width as f32, height as f32);
+            let (from, to) = ((*low * size).as_usizevec2(), (*high * size).as_usizevec2());
+            let is_seen =
+                |x: usize, up: usize| pixels[4 * ((height as usize - 1 - up) * width as usize + x) + 3] > 0;
+            let columns: Vec<usize> =
+                (from.x..to.x).filter(|x| (from.y..to.y).any(|up| is_seen(*x, up))).collect();
+            let rows: Vec<usize> =
+                (from.y..to.y).filter(|up| (from.x..to.x).any(|x| is_seen(x, *up))).collect();
+            assert!(columns[0] <= from.x + 2 && rows[0] <= from.y + 2, "{i}");
+            assert!(columns.last() >= Some(&(to.x - 3)) && rows.last() >= Some(&(to.y - 3)), "{i}");
+        }
+        assert!(painted(&FinishedPlant::plain(Plant::default()), 48).is_none());
+    }
+}
