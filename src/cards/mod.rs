@@ -22,7 +22,7 @@ mod surfaces;
 mod views;
 
 use crate::geom::simple_loop::area;
-use crate::model::ModelParams;
+use crate::model::{Model, ModelParams, Part};
 use crate::picture::Picture;
 use crate::plant::{
     FinishedPlant, Material, Organ, OrganClass, OrganPart, Origin, Plant, Role, Shape, Texture,
@@ -119,17 +119,31 @@ pub struct PlantView {
     pub flat: FinishedPlant,
 }
 
-/// The whole plant as pictures from many sides, each at most so many pixels wide and high, for what is far away and drawn by somebody who
-/// chooses the side that is nearest to the viewer's. Nothing of a plant without surfaces.
-pub fn views(plant: &FinishedPlant, pixels: u32) -> Vec<PlantView> {
-    let Some((picture, views)) = views::painted(plant, pixels) else { return Vec::new() };
-    let of_first = plant.organs.first().map(|organ| &plant.materials()[plant.material(organ.role)]);
-    let material = Material { covers_in_part: true, ..material(of_first, picture) };
+/// A model as pictures from many sides, each at most so many pixels wide and high, for what is far away and drawn by somebody who chooses
+/// the side that is nearest to the viewer's. Nothing of a model without surfaces. The material is the one with most triangles, with the
+/// picture's colours.
+pub fn views(model: &Model, pixels: u32) -> Vec<PlantView> {
+    let Some((picture, views)) = views::painted(model, pixels) else { return Vec::new() };
+    let material = Material { covers_in_part: true, ..material(most_seen(model), picture) };
     let flat = |shape| {
         let organs = vec![card(Role::of(OrganPart::Leaf), None, shape)];
         FinishedPlant::new(Plant { organs, ..Plant::default() }, &[], |_| material.clone())
     };
     views.into_iter().map(|view| PlantView { toward: view.toward, flat: flat(view.card) }).collect()
+}
+
+/// The material of a model that most of its triangles have.
+fn most_seen(model: &Model) -> Option<&Material> {
+    let mut counts = vec![0; model.materials.len()];
+    let counted = |part: &Part| {
+        let copies = part.copies.iter().flat_map(|copies| copies.iter());
+        let of_copies = copies.map(|(shape, at)| (part.material_of_slot(at.slot), shape.triangles.len()));
+        part.material_slots().map(|(material, faces)| (material, faces.len())).chain(of_copies).collect()
+    };
+    let all = model.parts.iter().flat_map(|part| -> Vec<(usize, usize)> { counted(part) });
+    all.for_each(|(material, count)| counts[material] += count);
+    let most = counts.iter().zip(&model.materials).max_by_key(|(count, _)| **count);
+    most.map(|(_, material)| material)
 }
 
 /// The clusters of a plant and their size, a share of the plant's: that which is wanted, or a larger one whose cards have at most so
@@ -283,7 +297,7 @@ fn material(of_first: Option<&Material>, picture: Picture) -> Material {
 mod tests {
     use super::*;
     use crate::growth::{Limits, PlantAtAge, Simulation, plant_at};
-    use crate::model::{self, Model, Part, PartKind};
+    use crate::model::{self, PartKind};
     use crate::plant::Provenance;
     use crate::species::{self, Species};
 

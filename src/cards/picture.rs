@@ -125,32 +125,51 @@ fn drawn(
         let faced = IN_SHADE + (1.0 - IN_SHADE) * normal.dot(light).max(0.0);
         faced * (BEHIND + (1.0 - BEHIND) * (depth - far) / (near - far).max(f32::MIN_POSITIVE))
     };
-    let mut pixels =
-        vec![Pixel { depth: f32::NEG_INFINITY, colour: Vec3::ZERO, light: 0.0 }; size.element_product()];
+    let mut places = vec![Place::default(); size.element_product()];
     for triangle in triangles {
-        let places = triangle.corners.each_ref().map(onto);
-        let depths = Vec3::from(places.map(|place| place.z));
+        let corners = triangle.corners.each_ref().map(onto);
+        let depths = Vec3::from(corners.map(|place| place.z));
         let [a, b, c] = &triangle.corners;
-        covered(places.map(Vec3::truncate), size, |pixel, shares| {
+        covered(corners.map(Vec3::truncate), size, |pixel, shares| {
             let depth = depths.dot(shares);
-            if depth <= pixels[pixel].depth {
+            if depth <= places[pixel].depth {
                 return;
             }
             let uv = a.uv * shares.x + b.uv * shares.y + c.uv * shares.z;
             let at = a.at * shares.x + b.at * shares.y + c.at * shares.z;
             let normal = a.normal * shares.x + b.normal * shares.y + c.normal * shares.z;
             if let Some(colour) = triangle.surface.colour(uv) {
-                pixels[pixel] = Pixel { depth, colour, light: lit(normal.normalize_or_zero(), depth, at) };
+                places[pixel] = Place { depth, colour, at, normal };
             }
         });
     }
-    pixels
+    // Light takes longer than all else, so it is found for what is seen in the end.
+    let pixel = |place: &Place| {
+        let Place { depth, colour, at, normal } = *place;
+        let is_there = depth > f32::NEG_INFINITY;
+        Pixel { colour, light: if is_there { lit(normal.normalize_or_zero(), depth, at) } else { 0.0 } }
+    };
+    places.iter().map(pixel).collect()
+}
+
+/// What is foremost at one place.
+#[derive(Clone, Copy)]
+struct Place {
+    depth: f32,
+    colour: Vec3,
+    at: Vec3,
+    normal: Vec3,
+}
+
+impl Default for Place {
+    fn default() -> Self {
+        Self { depth: f32::NEG_INFINITY, colour: Vec3::ZERO, at: Vec3::ZERO, normal: Vec3::ZERO }
+    }
 }
 
 /// What is seen at one place; nothing where there is no light.
 #[derive(Clone, Copy)]
 struct Pixel {
-    depth: f32,
     colour: Vec3,
     light: f32,
 }

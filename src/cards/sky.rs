@@ -18,7 +18,7 @@ const DIRECTIONS: usize = 16;
 /// Width and height of the depths, pixels.
 const SIZE: usize = 192;
 /// Depths that differ by less than this share of the plant's size are of one surface.
-const NEAR: f32 = 0.012;
+const NEAR: f32 = 0.008;
 /// Light of the sky on level ground, of a sun that stands somewhere behind the viewer and higher than so (its sine), and from all sides.
 const SKY: f32 = 0.6;
 const SUN: f32 = 1.1;

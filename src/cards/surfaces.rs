@@ -1,7 +1,7 @@
 //! The triangles of a cluster, with what they look like: corners, colours and pictures of their materials.
 
 use super::clusters::Cluster;
-use crate::model::{self, ModelParams};
+use crate::model::{self, Model, ModelParams};
 use crate::picture::Picture;
 use crate::picture::decode::{self, Rgba};
 use crate::plant::{FinishedPlant, Material, Texture};
@@ -111,20 +111,32 @@ impl<'a> Surfaces<'a> {
         stop: &(dyn Fn() -> bool + Sync),
     ) -> Option<Vec<Triangle<'_>>> {
         let model = model::rebuild(excerpt, &self.fineness, &mut model::Cache::for_one_build(), stop)?;
-        let mut triangles = Vec::new();
-        for part in &model.flattened().parts {
-            let corner = |vertex: u32| {
-                let vertex = part.mesh.vertices[vertex as usize];
-                Corner { at: part.mesh.points[vertex.point as usize], normal: vertex.normal, uv: vertex.uv }
-            };
-            for (material, faces) in part.material_slots() {
-                let surface = self.of_look[material].get_or_init(|| Surface::new(&self.looks[material]));
-                let triangle = |face: &[u32; 3]| Triangle { corners: face.map(corner), surface };
-                triangles.extend(part.mesh.triangles[faces].iter().map(triangle));
-            }
-        }
-        Some(triangles)
+        let surface =
+            |material: usize| self.of_look[material].get_or_init(|| Surface::new(&self.looks[material]));
+        Some(triangles_of(&model.flattened(), surface))
     }
+}
+
+/// The surfaces of materials.
+pub(super) fn of_materials(materials: &[Material]) -> Vec<Surface> {
+    materials.iter().map(|material| Surface::new(&Look::of(material))).collect()
+}
+
+/// The triangles of a model without copies, with the surface of each material.
+pub(super) fn triangles_of<'a>(flat: &Model, surface: impl Fn(usize) -> &'a Surface) -> Vec<Triangle<'a>> {
+    let mut triangles = Vec::new();
+    for part in &flat.parts {
+        let corner = |vertex: u32| {
+            let vertex = part.mesh.vertices[vertex as usize];
+            Corner { at: part.mesh.points[vertex.point as usize], normal: vertex.normal, uv: vertex.uv }
+        };
+        for (material, faces) in part.material_slots() {
+            let surface = surface(material);
+            let triangle = |face: &[u32; 3]| Triangle { corners: face.map(corner), surface };
+            triangles.extend(part.mesh.triangles[faces].iter().map(triangle));
+        }
+    }
+    triangles
 }
 
 /// How shoots are meshed: finely, for nothing of that is left but a picture.

@@ -9,10 +9,10 @@
 use super::atlas::grid;
 use super::picture::{Cell, Drawing};
 use super::sky::Sky;
-use super::surfaces::{Surfaces, Triangle};
-use crate::model::{self, ModelParams};
+use super::surfaces::{self, Triangle};
+use crate::model::Model;
 use crate::picture::Picture;
-use crate::plant::{FinishedPlant, Shape};
+use crate::plant::Shape;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 use std::f32::consts::TAU;
@@ -22,8 +22,6 @@ const AROUND: usize = 8;
 const HEIGHTS: [f32; 3] = [5.0, 32.0, 60.0];
 /// Pictures beside one another: five rows of five.
 const COLUMNS: usize = 5;
-/// How coarse the surfaces are that are painted: nobody sees the corners of a leaf of a few pixels.
-const COARSE: f32 = 0.6;
 /// How much larger a card is than what it shows, share of its extent.
 const MARGIN: f32 = 0.02;
 
@@ -47,11 +45,14 @@ fn sides() -> impl Iterator<Item = Vec3> {
     around.chain([Vec3::Y])
 }
 
-/// The picture of a plant from all sides, at most so many pixels wide and high from each, and the cards that show it; none of a plant
+/// The picture of a model from all sides, at most so many pixels wide and high from each, and the cards that show it; none of a model
 /// without surfaces.
-pub(super) fn painted(plant: &FinishedPlant, pixels: u32) -> Option<(Picture, Vec<View>)> {
-    let surfaces = Surfaces::new(plant, model::coarser(&ModelParams::default(), COARSE).into_owned());
-    let triangles = surfaces.triangles(plant, &|| false).filter(|all| !all.is_empty())?;
+pub(super) fn painted(model: &Model, pixels: u32) -> Option<(Picture, Vec<View>)> {
+    let surfaces = surfaces::of_materials(&model.materials);
+    let triangles = surfaces::triangles_of(&model.flattened(), |material| &surfaces[material]);
+    if triangles.is_empty() {
+        return None;
+    }
     let sky = Sky::over(&triangles);
     let drawing = Drawing { pixels, share: 1.0 };
     let cards: Vec<(Vec3, [Vec3; 3])> = sides().map(|toward| (toward, around(&triangles, toward))).collect();
@@ -90,20 +91,28 @@ fn around(triangles: &[Triangle<'_>], toward: Vec3) -> [Vec3; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth;
+    use crate::model::{Mesh, Part, PartKind};
     use crate::picture::decode::Rgba;
-    use crate::plant::{Plant, Provenance};
-    use crate::species::{self, Species};
+    use crate::plant::Material;
+    use std::sync::Arc;
 
     #[test]
-    fn a_plant_is_seen_from_all_sides_as_wide_as_it_is() {
-        let oak = Species::built_in("oak").unwrap();
-        let limits = growth::Limits::default();
-        let mut simulation = growth::Simulation::new(oak.growth.as_ref().unwrap(), 1, limits);
-        simulation.grow_to(6, &|| false);
-        let growth::PlantAtAge { plant, buds } = growth::plant_at(&simulation, 6.0);
-        let plant = species::apply(plant, &buds, &Provenance::default(), &oak, 1).plant;
-        let (picture, views) = painted(&plant, 48).unwrap();
+    fn a_model_is_seen_from_all_sides_as_wide_as_it_is() {
+        let points = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.5, 1.0]].map(Vec3::from);
+        let mesh = Mesh::faceted(&points, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+        let part = Part {
+            name: "pyramid".into(),
+            kind: PartKind::Wood,
+            parent: None,
+            specimen: 0,
+            pivot: Vec3::ZERO,
+            material: 0,
+            more_materials: Vec::new(),
+            mesh: Arc::new(mesh),
+            copies: None,
+        };
+        let model = Model { parts: vec![part], materials: vec![Material::plain("stone", [0.5; 3])] };
+        let (picture, views) = painted(&model, 48).unwrap();
         let Rgba { width, height, pixels } = picture.pixels().unwrap();
         assert_eq!((width, height, views.len()), (5 * 48, 5 * 48, 25));
         for (i, View { toward, card }) in views.iter().enumerate() {
@@ -121,6 +130,6 @@ mod tests {
             assert!(columns[0] <= from.x + 2 && rows[0] <= from.y + 2, "{i}");
             assert!(columns.last() >= Some(&(to.x - 3)) && rows.last() >= Some(&(to.y - 3)), "{i}");
         }
-        assert!(painted(&FinishedPlant::plain(Plant::default()), 48).is_none());
+        assert!(painted(&Model::default(), 48).is_none());
     }
 }

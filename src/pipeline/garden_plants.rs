@@ -32,7 +32,7 @@ pub(super) struct MadeOf {
     /// Triangles of each, at most, about.
     pub(super) triangles: u32,
     pub(super) variants: u32,
-    /// Whether there are pictures of them for where they are small. Not of the drawing that has the garden: it changes with every stroke.
+    /// Whether there are pictures of them for where they are small.
     pub(super) has_views: bool,
 }
 
@@ -77,7 +77,7 @@ impl PlantOf {
 pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
     let season: Vec<String> = of.season.iter().map(|time| format!("season.time={time}")).collect();
     match &of.plant {
-        PlantOf::Drawn(made) => vec![for_garden(drawn, &made.1, of)],
+        PlantOf::Drawn(made) => vec![for_garden(drawn, &made.1, of.triangles)],
         PlantOf::Species(name, age) => {
             let Ok(species) = Species::built_in(name) else { return Vec::new() };
             let Ok(params) = params_of_species(&species, &season) else { return Vec::new() };
@@ -96,6 +96,11 @@ pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
     }
 }
 
+/// The same individuals, with pictures of them for where they are small.
+pub(super) fn with_views(individuals: Vec<Grown>) -> Vec<Grown> {
+    individuals.into_par_iter().map(|grown| Grown { views: levels::views(&grown.model), ..grown }).collect()
+}
+
 /// The species and the parameters of another drawing.
 fn set_up(sketch: &Sketch, season: &[String]) -> Option<(Species, Params)> {
     // It names no file, so no folder is looked into.
@@ -110,16 +115,15 @@ fn grown(of: &MadeOf, params: &Params, built: impl Fn(u32) -> Option<Built> + Sy
     let individual = |number: u32| {
         let built = built(number)?;
         let remarks = built.remarks.iter().map(ToString::to_string).collect();
-        Some(Grown { remarks, ..for_garden(&built, params, of) })
+        Some(Grown { remarks, ..for_garden(&built, params, of.triangles) })
     };
     (0..of.variants).into_par_iter().filter_map(individual).collect()
 }
 
-/// A plant of at most about so many triangles, with pictures of it where these are wanted.
-fn for_garden(built: &Built, params: &Params, of: &MadeOf) -> Grown {
+/// A plant of at most about so many triangles.
+fn for_garden(built: &Built, params: &Params, triangles: u32) -> Grown {
     let Built { plant, model, .. } = built;
-    let finest = levels::for_garden(plant, model, params, of.triangles);
-    if of.has_views { levels::with_views(plant, finest, params) } else { finest.into() }
+    levels::for_garden(plant, model, params, triangles).into()
 }
 
 /// The plant of a drawing.

@@ -12,7 +12,7 @@ use super::levels::{self, Level, levels};
 use super::setup::Params;
 use super::source::{Bloom, Seed, Source};
 use super::{Built, build, triangle_budget};
-use crate::garden::{BeforeWall, Grown};
+use crate::garden::{BeforeWall, Grown, Views};
 use crate::model::Model;
 use crate::sketch::Sketch;
 use crate::species::Species;
@@ -151,10 +151,13 @@ impl Grower {
         (0..self.variants(wanted)).into_par_iter().map(|variant| self.grow(variant, with_coarser)).collect()
     }
 
-    /// An individual. A finished model has no coarser forms.
+    /// An individual. Of a finished model there are pictures alone.
     fn grow(&self, variant: u32, with_coarser: bool) -> Grown {
         let (params, form) = match self {
-            Self::Model(model) => return Model::clone(model).into(),
+            Self::Model(model) => {
+                let views = if with_coarser { levels::views(model) } else { Views::default() };
+                return Grown { views, ..Model::clone(model).into() };
+            }
             Self::Species { params, form, .. } | Self::Drawing { params, form, .. } => (params, *form),
         };
         let Some(Built { model, plant, remarks, .. }) = self.built(variant) else { return Grown::default() };

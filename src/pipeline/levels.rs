@@ -10,7 +10,7 @@ use super::setup::Params;
 use super::triangle_budget::{self, Finer};
 use crate::cards::{self, CardParams};
 use crate::garden::{Coarser, Grown, Views};
-use crate::model::{self, Model};
+use crate::model::{self, Model, ModelParams};
 use crate::plant::FinishedPlant;
 
 /// How much of a plant a level has.
@@ -82,7 +82,7 @@ pub(super) fn for_garden(plant: &FinishedPlant, whole: &Model, params: &Params, 
 
 /// A plant with coarser forms beside its model, for where it is small in a picture.
 pub(super) fn in_forms(plant: &FinishedPlant, model: Model, params: &Params) -> Grown {
-    let (coarser, views) = rayon::join(|| coarser(plant, &model, params), || views(plant, params));
+    let (coarser, views) = rayon::join(|| coarser(plant, &model, params), || views(&model));
     Grown { model, coarser: coarser.into_iter().collect(), views, remarks: Vec::new() }
 }
 
@@ -106,15 +106,10 @@ fn coarser(plant: &FinishedPlant, finest: &Model, params: &Params) -> Option<Coa
     is_worth_it.then(|| Coarser { form, pixels: (PIXELS_OF_TRIANGLE * triangles as f32).sqrt() })
 }
 
-/// A plant with pictures of it from many sides beside its model, which take less time than coarser forms.
-pub(super) fn with_views(plant: &FinishedPlant, model: Model, params: &Params) -> Grown {
-    Grown { views: views(plant, params), ..model.into() }
-}
-
-/// A plant as pictures from many sides, for where it is smaller still.
-fn views(plant: &FinishedPlant, params: &Params) -> Views<Model> {
-    let views = cards::views(plant, VIEW_PIXELS).into_iter();
-    let forms = views.map(|view| (view.toward, model::build(&view.flat, &params.model)));
+/// Pictures of a model from many sides, for where it is smaller still.
+pub(super) fn views(model: &Model) -> Views<Model> {
+    let views = cards::views(model, VIEW_PIXELS).into_iter();
+    let forms = views.map(|view| (view.toward, model::build(&view.flat, &ModelParams::default())));
     Views { forms: forms.collect(), pixels: VIEWS_BELOW }
 }
 
