@@ -125,6 +125,11 @@ fn a_walk_in_the_window_comes_back_to_the_same_picture() {
     };
     let [near, far, back] = [1.8, 9.0, 1.8].map(|away| at(&mut view, away));
     assert!(near == back && near != far);
+    // A garden that contradicts itself is refused, and changes nothing.
+    let mut broken = garden.clone();
+    broken.places[0].variant = 9;
+    assert!(view.update(&renderer, seen(broken), &texture).is_err());
+    assert!(at(&mut view, 1.8) == near);
     // One plant less: its individuals are there already.
     garden.places.pop();
     let stats = view.update(&renderer, seen(garden), &texture).unwrap();

@@ -4,6 +4,8 @@
 //! cards, fewer twigs and fewer sides (`triangle_budget`). The last may be two crossing pictures of the whole plant. A plant is never
 //! made finer than it is.
 //!
+//! Plants of gardens have forms for where they are small in a picture: one that is coarser, and pictures of them from many sides.
+//!
 //! Limits: what was drawn stays in all levels, so that of a drawing with many strokes small levels are larger than they should be.
 
 use super::setup::Params;

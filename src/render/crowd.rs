@@ -103,7 +103,7 @@ impl CrowdDrawData {
         gpu: &Gpu,
         model: &Model,
         crowd: &Crowd,
-        known: Option<Self>,
+        known: Option<&Self>,
     ) -> Result<(Self, u64), RenderError> {
         let Garden { stock, places, .. } = &*crowd.garden;
         let table_bytes = (places.len() * size_of::<PlacementRow>()) as u64;
@@ -212,9 +212,9 @@ struct Shapes {
 }
 
 impl Shapes {
-    fn of(crowd: Option<CrowdDrawData>) -> Self {
-        let surfaces = crowd.into_iter().flat_map(|crowd| crowd.surfaces);
-        let known = surfaces.map(|CrowdSurface { shape, .. }| (shape.key(), shape));
+    fn of(crowd: Option<&CrowdDrawData>) -> Self {
+        let surfaces = crowd.into_iter().flat_map(|crowd| &crowd.surfaces);
+        let known = surfaces.map(|CrowdSurface { shape, .. }| (shape.key(), shape.clone()));
         Self { known: known.collect(), bytes: 0 }
     }
 

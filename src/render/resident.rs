@@ -96,6 +96,13 @@ enum Next<'a> {
     New(Vec<Corner>, Cow<'a, [[u32; 3]]>),
 }
 
+/// The plants of the next garden: none, known already, or uploaded with so many bytes.
+enum NextCrowd {
+    None,
+    Known,
+    New(Box<CrowdDrawData>, u64),
+}
+
 impl ResidentModel {
     /// Makes the model on the GPU this one.
     ///
@@ -118,8 +125,9 @@ impl ResidentModel {
             uploaded_textures: self.pictures.len() - known_pictures,
             ..Default::default()
         };
+        let crowd = self.new_crowd(gpu, seen)?;
         let corners = self.new_corners(model, Room::of(gpu))?;
-        self.place_crowd(gpu, seen, &mut stats)?;
+        self.place_crowd(crowd, &mut stats);
         self.place(gpu, model, corners, &mut stats);
         self.place_copies(gpu, model, &mut stats);
         for pool in self.pools.values_mut() {
@@ -242,25 +250,30 @@ impl ResidentModel {
         stats.removed_parts += known.iter().flatten().count();
     }
 
-    /// Brings the plants of a garden in step: shapes that were there already stay.
-    fn place_crowd(
-        &mut self,
-        gpu: &Gpu,
-        seen: &Seen<'_>,
-        stats: &mut UploadStats,
-    ) -> Result<(), RenderError> {
-        let known = &mut self.surface.crowd;
+    /// The plants of a garden, where they are not those that are there; shapes that are there stay.
+    fn new_crowd(&self, gpu: &Gpu, seen: &Seen<'_>) -> Result<NextCrowd, RenderError> {
+        let known = self.surface.crowd.as_ref();
         match &seen.crowd {
-            Some(crowd) if known.as_ref().is_some_and(|known| known.is_of(crowd)) => {}
+            None => Ok(NextCrowd::None),
+            Some(crowd) if known.is_some_and(|known| known.is_of(crowd)) => Ok(NextCrowd::Known),
             Some(crowd) => {
-                let (uploaded, bytes) = CrowdDrawData::new(gpu, &seen.model, crowd, known.take())?;
-                *known = Some(uploaded);
+                let (crowd, bytes) = CrowdDrawData::new(gpu, &seen.model, crowd, known)?;
+                Ok(NextCrowd::New(Box::new(crowd), bytes))
+            }
+        }
+    }
+
+    fn place_crowd(&mut self, next: NextCrowd, stats: &mut UploadStats) {
+        let known = &mut self.surface.crowd;
+        match next {
+            NextCrowd::Known => {}
+            NextCrowd::New(crowd, bytes) => {
+                *known = Some(*crowd);
                 stats.uploaded_parts += 1;
                 stats.bytes += bytes;
             }
-            None => stats.removed_parts += usize::from(known.take().is_some()),
+            NextCrowd::None => stats.removed_parts += usize::from(known.take().is_some()),
         }
-        Ok(())
     }
 
     /// The first pool of a material that can take so many corners and triangles in, or a new one.
