@@ -32,8 +32,6 @@ pub(super) struct MadeOf {
     /// Triangles of each, at most, about.
     pub(super) triangles: u32,
     pub(super) variants: u32,
-    /// Whether there are pictures of them for where they are small.
-    pub(super) has_views: bool,
 }
 
 /// What is planted.
@@ -94,11 +92,6 @@ pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
             grown(of, &params, built)
         }
     }
-}
-
-/// The same individuals, with pictures of them for where they are small.
-pub(super) fn with_views(individuals: Vec<Grown>) -> Vec<Grown> {
-    individuals.into_par_iter().map(|grown| Grown { views: levels::views(&grown.model), ..grown }).collect()
 }
 
 /// The species and the parameters of another drawing.

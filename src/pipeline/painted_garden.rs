@@ -9,7 +9,7 @@
 
 use super::clock::Clock;
 use super::finish::Built;
-use super::garden_plants::{MadeOf, PlantOf, individuals, with_views};
+use super::garden_plants::{MadeOf, PlantOf, individuals};
 use super::setup::Params;
 use crate::budget::GardenBudget;
 use crate::garden::painted::{self, PaintedKind, Placed};
@@ -143,12 +143,7 @@ impl Laying<'_> {
             wanted.push(std::mem::replace(&mut made_of, self.made_of(&triangles)));
             stock = self.stock(memory, &made_of, stop)?;
         }
-        // The drawn plant changes with every stroke, so no time is spent on pictures of it.
-        let is_kept = |of: &MadeOf| !matches!(of.plant, PlantOf::Drawn(_));
-        let with_views: Vec<MadeOf> =
-            made_of.iter().map(|of| MadeOf { has_views: is_kept(of), ..of.clone() }).collect();
-        stock = self.stock(memory, &with_views, stop)?;
-        wanted.extend([made_of, with_views]);
+        wanted.push(made_of);
         memory.individuals.retain(|kept| wanted.iter().any(|made_of| made_of.contains(&kept.of)));
         memory.stocks.retain(|(made_of, _)| wanted.contains(made_of));
         let fitting = fitting(&stock, &places);
@@ -166,7 +161,6 @@ impl Laying<'_> {
             variants: if matches!(plant, PlantOf::Drawn(_)) { 1 } else { self.params.garden.variants },
             plant: plant.clone(),
             triangles: *triangles,
-            has_views: false,
         };
         self.plants.iter().zip(triangles).map(of).collect()
     }
@@ -208,10 +202,7 @@ impl Laying<'_> {
         if let Some(known) = memory.individuals.iter().find(|kept| kept.of == *of) {
             return known.models.clone();
         }
-        let models = match of.has_views {
-            true => with_views(self.individuals(memory, &MadeOf { has_views: false, ..of.clone() })),
-            false => individuals(of, self.drawn),
-        };
+        let models = individuals(of, self.drawn);
         memory.individuals.push(Kept { of: of.clone(), models: models.clone() });
         models
     }
