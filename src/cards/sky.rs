@@ -10,8 +10,8 @@
 
 use super::raster::covered;
 use super::surfaces::{Corner, Triangle};
+use crate::geom::hemisphere::direction;
 use glam::{Mat3, USizeVec2, Vec2, Vec3};
-use std::f32::consts::PI;
 
 /// Directions of the sky.
 const DIRECTIONS: usize = 16;
@@ -49,7 +49,9 @@ struct Depths {
 impl Sky {
     /// The light on some triangles.
     pub(super) fn over(triangles: &[Triangle<'_>]) -> Self {
-        Self { directions: (0..DIRECTIONS).map(|i| Depths::from(toward(i), triangles)).collect() }
+        Self {
+            directions: (0..DIRECTIONS).map(|i| Depths::from(direction(i, DIRECTIONS), triangles)).collect(),
+        }
     }
 
     /// How much light a surface has, as a share of what an upright one has before which nothing stands. `normal` is that of the side that
@@ -77,14 +79,6 @@ impl Sky {
         let light = |sky: f32, sun: f32| SKY * sky / level + SUN * sun / suns + EVERYWHERE;
         (light(sky, sun) / light(open_sky, open_sun)).min(MOST)
     }
-}
-
-/// A direction of the sky: evenly over its height, turned by the golden angle.
-fn toward(i: usize) -> Vec3 {
-    let height = 1.0 - 0.9 * (i as f32 + 0.5) / DIRECTIONS as f32;
-    let (sin, cos) = (i as f32 * PI * (3.0 - 5.0_f32.sqrt())).sin_cos();
-    let level = (1.0 - height * height).sqrt();
-    Vec3::new(level * cos, height, level * sin)
 }
 
 impl Depths {

@@ -100,17 +100,7 @@ mod tests {
     fn a_model_is_seen_from_all_sides_as_wide_as_it_is() {
         let points = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.5, 1.0]].map(Vec3::from);
         let mesh = Mesh::faceted(&points, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
-        let part = Part {
-            name: "pyramid".into(),
-            kind: PartKind::Wood,
-            parent: None,
-            specimen: 0,
-            pivot: Vec3::ZERO,
-            material: 0,
-            more_materials: Vec::new(),
-            mesh: Arc::new(mesh),
-            copies: None,
-        };
+        let part = Part::alone("pyramid", PartKind::Wood, 0, Arc::new(mesh));
         let model = Model { parts: vec![part], materials: vec![Material::plain("stone", [0.5; 3])] };
         let (picture, views) = painted(&model, 48).unwrap();
         let Rgba { width, height, pixels } = picture.pixels().unwrap();

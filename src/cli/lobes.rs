@@ -10,7 +10,6 @@ use crate::pipeline::Clock;
 use crate::plant::{Branch, FinishedPlant, Material, Plant, Provenance};
 use crate::quote;
 use anyhow::{Context, Result, anyhow, ensure};
-use glam::Vec3;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -88,16 +87,9 @@ fn shaped(crown: &Crown, file: &Path) -> Result<Vec<Shaped>> {
 
 /// The surfaces as a model, a part for each lobe.
 fn model(shaped: &[Shaped]) -> Model {
-    let part = |lobe: &Shaped| Part {
-        name: lobe.name.as_str().into(),
-        kind: PartKind::Wood,
-        parent: None,
-        specimen: 0,
-        pivot: Vec3::ZERO,
-        material: usize::from(lobe.negative),
-        more_materials: Vec::new(),
-        mesh: Arc::new(Mesh::smooth(lobe.surface.points.clone(), &lobe.surface.triangles)),
-        copies: None,
+    let part = |lobe: &Shaped| {
+        let mesh = Mesh::smooth(lobe.surface.points.clone(), &lobe.surface.triangles);
+        Part::alone(lobe.name.as_str(), PartKind::Wood, usize::from(lobe.negative), Arc::new(mesh))
     };
     let [added, taken] = COLOURS;
     Model {

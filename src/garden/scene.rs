@@ -233,18 +233,7 @@ fn unused(taken: &BTreeSet<SmolStr>, name: SmolStr) -> SmolStr {
 
 /// A part at the origin without any surface.
 fn bare(name: SmolStr, kind: PartKind, material: usize) -> Part {
-    let (mesh, more_materials) = (Arc::new(Mesh::default()), Vec::new());
-    Part {
-        name,
-        kind,
-        parent: None,
-        specimen: 0,
-        pivot: Vec3::ZERO,
-        material,
-        more_materials,
-        mesh,
-        copies: None,
-    }
+    Part::alone(name, kind, material, Arc::new(Mesh::default()))
 }
 
 /// An individual as one part with all its materials; none without any surface.

@@ -123,17 +123,7 @@ mod tests {
         let points: Vec<Vec3> = (0..300).map(at).collect();
         let triangles: Vec<[u32; 3]> = (0..298).map(|i| [i, i + 1, i + 2]).collect();
         let mesh = Mesh::faceted(&points, &triangles);
-        let part = Part {
-            name: "ball".into(),
-            kind: PartKind::Wood,
-            parent: None,
-            specimen: 0,
-            pivot: Vec3::ZERO,
-            material: 0,
-            more_materials: Vec::new(),
-            mesh: Arc::new(mesh),
-            copies: None,
-        };
+        let part = Part::alone("ball", PartKind::Wood, 0, Arc::new(mesh));
         Model { parts: vec![part], materials: vec![Material::plain("ball", [0.5; 3])] }
     }
 

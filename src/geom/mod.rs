@@ -11,6 +11,7 @@ pub mod disc_sums;
 pub mod ellipse;
 pub mod face_tree;
 pub mod frame;
+pub mod hemisphere;
 pub mod inflation;
 pub mod line_changes;
 pub mod mean_shift;

@@ -68,17 +68,7 @@ mod tests {
         };
         let copies =
             Copies { shapes: vec![Arc::clone(&shape)], placements: (0..copies).map(place).collect() };
-        Part {
-            name: "part".into(),
-            kind: PartKind::Wood,
-            parent: None,
-            specimen: 0,
-            pivot: Vec3::ZERO,
-            material: 0,
-            more_materials: Vec::new(),
-            mesh: shape,
-            copies: Some(Arc::new(copies)),
-        }
+        Part { copies: Some(Arc::new(copies)), ..Part::alone("part", PartKind::Wood, 0, shape) }
     }
 
     #[test]

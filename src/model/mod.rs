@@ -137,6 +137,21 @@ pub struct Part {
 }
 
 impl Part {
+    /// A surface by itself, in one material, at the origin of the first plant.
+    pub fn alone(name: impl Into<SmolStr>, kind: PartKind, material: usize, mesh: Arc<Mesh>) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+            parent: None,
+            specimen: 0,
+            pivot: Vec3::ZERO,
+            material,
+            more_materials: Vec::new(),
+            mesh,
+            copies: None,
+        }
+    }
+
     /// The material of this slot, 0 for the first.
     pub fn material_of_slot(&self, slot: u32) -> usize {
         let more = (slot as usize).checked_sub(1).and_then(|more| self.more_materials.get(more));

@@ -6,7 +6,6 @@ use crate::garden::Seen;
 use crate::growth::Obstacles;
 use crate::model::{Mesh, Model, Part, PartKind};
 use crate::plant::{Material, OrganKind};
-use glam::Vec3;
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -30,24 +29,16 @@ fn with_obstacles(model: &Model, obstacles: &Obstacles) -> Model {
     let (points, triangles) = obstacles.mesh();
     let material = model.materials.len();
     model.materials.push(Material { double_sided: true, ..Material::plain("obstacle", COLOUR) });
-    model.parts.push(Part {
-        name: "obstacle".into(),
-        kind: PartKind::Organ(OrganKind::Pot),
-        parent: None,
-        specimen: 0,
-        pivot: Vec3::ZERO,
-        material,
-        more_materials: Vec::new(),
-        // Walls and slats have sharp edges.
-        mesh: Arc::new(Mesh::faceted(points, triangles)),
-        copies: None,
-    });
+    // Walls and slats have sharp edges.
+    let mesh = Arc::new(Mesh::faceted(points, triangles));
+    model.parts.push(Part::alone("obstacle", PartKind::Organ(OrganKind::Pot), material, mesh));
     model
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec3;
 
     #[test]
     fn obstacles_are_one_more_part_with_sharp_edges() {

@@ -239,19 +239,7 @@ mod tests {
             triangles: vec![[0, 1, 2]],
             breaks: vec![],
         };
-        let name = "branch_0".into();
-        let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
-        let part = Part {
-            name,
-            kind,
-            parent: None,
-            specimen: 0,
-            pivot,
-            material: 0,
-            more_materials: vec![],
-            mesh: mesh.into(),
-            copies: None,
-        };
+        let part = Part::alone("branch_0", PartKind::Wood, 0, mesh.into());
         Model { parts: vec![part], materials: vec![Material::plain("bark", [0.5; 3])] }
     }
 

@@ -10,6 +10,7 @@
 
 use super::camera::Axes;
 use super::studio;
+use crate::geom::hemisphere::direction;
 use crate::parameters;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
@@ -146,10 +147,7 @@ impl LightUniform {
 
 /// Unit direction of the i-th sky lamp in a level viewer's axes. None is so low that its shadows never end.
 fn sky_toward(i: usize) -> Vec3 {
-    let height = 1.0 - 0.9 * (i as f32 + 0.5) / SKY_LAMPS as f32;
-    let (sin, cos) = (i as f32 * std::f32::consts::PI * (3.0 - 5.0_f32.sqrt())).sin_cos();
-    let level = (1.0 - height * height).sqrt();
-    Vec3::new(level * cos, height, level * sin)
+    direction(i, SKY_LAMPS)
 }
 
 fn sky_colour(toward: Vec3) -> Vec3 {

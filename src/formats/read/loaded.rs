@@ -44,18 +44,7 @@ impl Loaded {
             mesh.smooth_missing_normals();
             mesh.split_disagreeing_corners();
         }
-        let (kind, pivot) = (PartKind::Wood, Vec3::ZERO);
-        self.model.parts.push(Part {
-            name: name.into(),
-            kind,
-            parent: None,
-            specimen: 0,
-            pivot,
-            material,
-            more_materials: Vec::new(),
-            mesh: mesh.into(),
-            copies: None,
-        });
+        self.model.parts.push(Part::alone(name, PartKind::Wood, material, mesh.into()));
     }
 
     /// Adds a material and returns its index.
