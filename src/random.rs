@@ -67,6 +67,8 @@ impl Choice {
     pub const NAME_OF_LEAF: Self = Self(75);
     /// A flower bud, by its node.
     pub const NAME_OF_BUD: Self = Self(76);
+    /// A fruit, by the leaf beside it.
+    pub const NAME_OF_FRUIT: Self = Self(77);
 }
 
 /// About a stem.
@@ -87,6 +89,18 @@ impl Choice {
     pub const RAMIFIES: Self = Self(51);
     /// The angle of the lateral buds.
     pub const BRANCHING_ANGLE: Self = Self(52);
+}
+
+/// About the fruits beside a leaf, and about each of them.
+impl Choice {
+    /// Whether there are any.
+    pub const FRUITS: Self = Self(81);
+    /// How early it ripens and falls.
+    pub const FRUIT_EARLY: Self = Self(82);
+    /// Its size.
+    pub const FRUIT_SIZE: Self = Self(83);
+    /// How far out along its shoot it hangs.
+    pub const FRUIT_ALONG: Self = Self(84);
 }
 
 /// About a leaf.

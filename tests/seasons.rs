@@ -4,7 +4,7 @@
 
 use crate::drawings::leafy_tree;
 use penstemon::pipeline::{self, Built, Seed, params_of_species};
-use penstemon::plant::OrganKind;
+use penstemon::plant::{Organ, OrganClass, OrganKind, OrganPart};
 use penstemon::sketch::Sketch;
 use penstemon::species::Species;
 
@@ -67,6 +67,56 @@ fn a_cherry_is_in_blossom_in_spring_only() {
     let flowers = |time| grown("cherry", time).plant.flowers.len();
     assert!(flowers(0.6) > 50);
     assert_eq!([0.0, 2.7, 5.0].map(flowers), [0; 3]);
+    // Nor does anything of its flower buds show.
+    let is_left = |organ: &&Organ| organ.kind().class() == OrganClass::Flower;
+    assert_eq!(grown("cherry", 2.7).plant.organs.iter().filter(is_left).count(), 0);
+}
+
+fn fruits(built: &Built) -> usize {
+    built.plant.organs.iter().filter(|organ| organ.role.part == OrganPart::Fruit).count()
+}
+
+#[test]
+fn grown_and_drawn_trees_bear_fruit_when_its_season_comes() {
+    for name in ["apple", "oak", "spruce"] {
+        let [spring, autumn] = [1.0, 3.4].map(|time| grown(name, time));
+        assert_eq!(fruits(&spring), 0, "{name}");
+        assert!(fruits(&autumn) > 4, "{name}: {} fruits", fruits(&autumn));
+        let flat = autumn.model.flattened();
+        let of_fruits = flat.parts.iter().filter(|part| part.name.contains("fruit"));
+        assert!(of_fruits.map(|part| part.mesh.check_invariants().unwrap()).count() > 0, "{name}");
+    }
+    let (sketch, apple) = (leafy_tree(300), Species::built_in("apple").unwrap());
+    let build = |more: &[String]| {
+        let params = pipeline::params_of(&sketch, &apple, more).unwrap();
+        pipeline::build(&sketch, &apple, &params)
+    };
+    let [usual, many, none] =
+        ["1", "6", "0"].map(|share| build(&["season.time=3.4".into(), format!("season.fruits={share}")]));
+    assert!(fruits(&usual) > 10 && fruits(&many) > 4 * fruits(&usual) && fruits(&none) == 0);
+}
+
+#[test]
+fn fruits_leave_the_triangles_to_the_tree() {
+    let build = |more: &[String]| {
+        let species = Species::built_in("apple").unwrap();
+        let mut all = vec!["season.time=3.4".to_owned(), "season.fruits=8".to_owned()];
+        all.extend_from_slice(more);
+        let params = params_of_species(&species, &all).unwrap();
+        pipeline::build(&Seed { number: 3, age: Some(9.0), ..Seed::default() }, &species, &params)
+    };
+    let (whole, small) = (build(&[]), build(&["model.budget.triangles=6000".into()]));
+    let count = |built: &Built, of_fruits: bool| {
+        let flat = built.model.flattened();
+        let parts = flat.parts.iter().filter(|part| !of_fruits || part.name.contains("fruit"));
+        parts.map(|part| part.mesh.triangles.len()).sum::<usize>()
+    };
+    assert!((count(&small, false) as f32 / 6000.0 - 1.0).abs() < 0.035, "{}", count(&small, false));
+    assert!(count(&whole, true) > 6000, "{}", count(&whole, true));
+    assert!((1..=1100).contains(&count(&small, true)), "{}", count(&small, true));
+    // Each that stays has its stalk.
+    let stalks = small.plant.organs.iter().filter(|organ| organ.role.part == OrganPart::FruitStalk).count();
+    assert_eq!(stalks, fruits(&small));
 }
 
 #[test]

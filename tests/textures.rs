@@ -10,6 +10,8 @@ mod color;
 mod disc;
 #[path = "../examples/paint_textures/flesh.rs"]
 mod flesh;
+#[path = "../examples/paint_textures/fruit.rs"]
+mod fruit;
 #[path = "../examples/paint_textures/indexed_image.rs"]
 mod indexed_image;
 #[path = "../examples/paint_textures/leaf.rs"]

@@ -4,6 +4,7 @@ use super::bark;
 use super::color::{Lab, hex};
 use super::disc::Disc;
 use super::flesh;
+use super::fruit;
 use super::indexed_image::IndexedImage;
 use super::leaf::{Leaf, Marking, palmate, parallel, pinnate};
 use super::petals;
@@ -49,6 +50,11 @@ fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture 
 /// What is looked at on thick bodies, too.
 fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
     opaque(name, (512, 512), paint)
+}
+
+/// The skin of a fruit, which is seen small.
+fn fruit(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
+    Texture { name, size: (128, 128), colours: 64, paint: Box::new(move |p| Some(paint(p))) }
 }
 
 fn opaque(name: &'static str, size: (u32, u32), paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
@@ -128,6 +134,9 @@ fn surfaces() -> Vec<Texture> {
         trunk("bark_birch", tree_bark::birch),
         trunk("bark_palm", tree_bark::palm),
         trunk("cactus", flesh::cactus),
+        fruit("fruit_apple", fruit::apple),
+        fruit("fruit_acorn", fruit::acorn),
+        fruit("fruit_cone", fruit::cone),
         trunk("mushroom_cap", flesh::cap),
         trunk("mushroom_gills", flesh::gills),
         square("mushroom_stalk", flesh::stalk),

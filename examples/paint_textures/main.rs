@@ -9,6 +9,7 @@ mod catalogue;
 mod color;
 mod disc;
 mod flesh;
+mod fruit;
 mod indexed_image;
 mod leaf;
 mod leafy_shoot;

@@ -81,7 +81,7 @@ pub struct PaintedKind {
     pub plant: GardenPlant,
     /// How wide a plant is, metres.
     pub width: f32,
-    /// How many individuals there are.
+    /// How many individuals there are; where there are none, nothing grows.
     pub variants: u32,
 }
 
@@ -119,12 +119,13 @@ pub fn places(
     let mut plants: Vec<Placed> = placed.to_vec();
     let mut places = Vec::new();
     let layout = Layout { beds: &beds, params, seed };
-    for (number, kind) in kinds.iter().enumerate() {
+    let growing = || kinds.iter().enumerate().filter(|(_, kind)| kind.variants > 0);
+    for (number, kind) in growing() {
         let found = layout.single_plants(number as u32, kind);
         plants.extend(found.iter().map(|place| (flat(place), MIXED * kind.apart())));
         places.extend(found);
     }
-    let mut by_width: Vec<usize> = (0..kinds.len()).collect();
+    let mut by_width: Vec<usize> = growing().map(|(number, _)| number).collect();
     by_width.sort_by(|a, b| kinds[*b].width.total_cmp(&kinds[*a].width));
     let mut are_all = true;
     for number in by_width {
@@ -318,7 +319,7 @@ impl Layout<'_> {
     fn place(&self, number: u32, kind: &PaintedKind, at: Vec2, spot: u64) -> Place {
         Place {
             kind: number,
-            variant: (Choice::VARIANT.key(spot) % u64::from(kind.variants.max(1))) as u32,
+            variant: (Choice::VARIANT.key(spot) % u64::from(kind.variants)) as u32,
             at: Vec3::new(at.x, 0.0, at.y),
             rotation: leaning(self.params.lean, spot).normalize(),
             scale: 1.0 + self.params.size * Choice::SIZE.signed(spot),

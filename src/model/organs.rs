@@ -15,7 +15,7 @@ use super::params::ModelParams;
 use super::piece::Piece;
 use super::recipe::{Recipe, RecipeShape, TemplateName};
 use super::shapes::{self, CopyShape, Original, ShapesInCommon};
-use super::solids::{self, Stand};
+use super::solids;
 use super::spike;
 use super::tube::TubeScratch;
 
@@ -169,13 +169,9 @@ impl<'a> OrganWorkshop<'a> {
     fn append_own(&self, shape: &Shape, mesh: &mut Mesh, scratch: &mut OrganScratch) {
         match shape {
             Shape::Blade(blade) => take_in(mesh, self.own_blade(blade, scratch)),
-            Shape::Lathe { base, axis, profile } => {
-                let stand = Stand { base: *base, axis: *axis };
-                take_in(mesh, Some(solids::lathe(stand, profile, &self.params.solid)));
-            }
             Shape::Spike { .. } => take_in(mesh, spike::mesh(shape)),
             // What of these is no copy encloses nothing.
-            Shape::Dome { .. } | Shape::Filament { .. } | Shape::Card { .. } => {}
+            Shape::Dome { .. } | Shape::Filament { .. } | Shape::Lathe { .. } | Shape::Card { .. } => {}
         }
     }
 
@@ -231,6 +227,7 @@ fn shapes(
             Original::Blade(id, blade) => recipe.shape(&shapes::upright(blade), of_blade(*id)?.0),
             Original::Dome(proportion, is_large) => recipe.dome_shape(*proportion, *is_large),
             Original::Head(proportion) => recipe.head_shape(*proportion),
+            Original::Lathe(proportions, is_large) => recipe.lathe_shape(proportions, *is_large),
             Original::Card(window) => recipe.card_shape(window),
         }
         let hash = recipe.hash();
@@ -242,6 +239,9 @@ fn shapes(
                 CopyShape::solid(solids::dome(*proportion, *is_large, &params.solid))
             }
             Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),
+            Original::Lathe(proportions, is_large) => {
+                CopyShape::solid(solids::lathe(proportions, *is_large, &params.solid))
+            }
             Original::Card(window) => Some(card::shape(*window)),
         })?;
         Some((hash, recipe.written(), shape))

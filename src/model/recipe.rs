@@ -9,7 +9,7 @@
 
 use super::limbs::WoodBranch;
 use super::piece::Piece;
-use super::solids::Proportion;
+use super::solids::{Proportion, Proportions};
 use crate::plant::{
     Blade, Branch, Cone, Detail, FinishedPlant, Organ, ResolvedBlade, RestSurface, Role, Shape, Template,
 };
@@ -103,6 +103,11 @@ impl<'a> Recipe<'a> {
     /// The recipe of the shape of a head of these proportions.
     pub(super) fn head_shape(&mut self, proportion: Proportion) {
         self.begin(5).real(proportion.height());
+    }
+
+    /// The recipe of the shape of a lathed body of these proportions that is large, or not.
+    pub(super) fn lathe_shape(&mut self, proportions: &Proportions, is_large: bool) {
+        self.begin(8).plane(&proportions.profile()).word(u32::from(is_large));
     }
 
     /// The recipe of the shape of cards with this window.

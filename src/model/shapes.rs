@@ -1,15 +1,15 @@
 //! What organs are copies of. Blades of one template of reduced detail and one form differ only in where they stand, so that one
 //! of them is bent and given thickness, upright at the origin, and the others are placed. So are domes and the heads of
-//! filaments: those of one proportion differ in place and size, and one of radius 1 is made; and cards with one part of a picture.
+//! filaments, and fruits: those of one proportion differ in place and size, and one of radius 1 is made; and cards with one part of a picture.
 //!
-//! Limits: only flat blades and those on patches; threads, which all bend in their own way, and lathed bodies are no copies. A blade so small, or
+//! Limits: only flat blades and those on patches; threads, which all bend in their own way, are no copies. A blade so small, or
 //! so far from the origin, that its thickness would drown in the rounding of its coordinates is no copy: `blade` makes it
 //! thicker.
 
 use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use super::solids::{self, Proportion, Stand};
+use super::solids::{self, Proportion, Proportions, Stand};
 use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -20,11 +20,12 @@ pub(super) const THINNEST: f32 = 4e-6;
 
 /// What organs have in common that are copies of one shape: of blades the template, the form bit by bit, and the address of the
 /// patch on which they lie.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Blade(TemplateId, [u32; 8], Option<usize>),
     Dome(Proportion, bool),
     Head(Proportion),
+    Lathe(Proportions, bool),
     Card([u32; 4]),
 }
 
@@ -37,6 +38,8 @@ pub(super) enum Original<'a> {
     Dome(Proportion, bool),
     /// The half length of a head in radii.
     Head(Proportion),
+    /// The profile of a lathed body in its largest radius, and whether it is large.
+    Lathe(Proportions, bool),
     /// What part of its picture a card shows.
     Card([Vec2; 2]),
 }
@@ -76,7 +79,10 @@ impl CopyShape {
             Shape::Card { base, u, v, .. } => Placement { shape: 0, slot: 0, base: *base, u: *u, v: *v },
             Shape::Dome { base, axis, radius, .. } => Stand { base: *base, axis: *axis }.placement(*radius),
             Shape::Filament { points, head, .. } => Stand::of_head(points)?.placement(head.x),
-            Shape::Lathe { .. } | Shape::Spike { .. } => return None,
+            Shape::Lathe { base, axis, profile } => {
+                Stand { base: *base, axis: *axis }.placement(solids::widest(profile))
+            }
+            Shape::Spike { .. } => return None,
         };
         let Placement { base, u, v, .. } = placement;
         u.cross(v).try_normalize()?;
@@ -149,7 +155,12 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
             let key = [low.x, low.y, high.x, high.y].map(f32::to_bits);
             Some((Key::Card(key), Original::Card(*window)))
         }
-        Shape::Lathe { .. } | Shape::Spike { .. } => None,
+        Shape::Lathe { profile, .. } => {
+            let (proportions, widest) = (Proportions::of(profile)?, solids::widest(profile));
+            let is_large = solids::is_large(widest);
+            Some((Key::Lathe(proportions.clone(), is_large), Original::Lathe(proportions, is_large)))
+        }
+        Shape::Spike { .. } => None,
     }
 }
 

@@ -99,15 +99,35 @@ impl Proportion {
     }
 }
 
-/// Upright at the origin.
-const UPRIGHT: Stand = Stand { base: Vec3::ZERO, axis: Vec3::Y };
+/// Steps in which proportions of a profile are told apart, in its largest radius.
+const PROPORTION: f32 = 1.0 / 8192.0;
+
+/// A profile in its largest radius, in steps of [`PROPORTION`]: what lathed bodies have in common that differ only in size.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Proportions(Vec<[i32; 2]>);
+
+impl Proportions {
+    /// Those of a profile; `None` for one that has no size to speak of.
+    pub(super) fn of(profile: &[Vec2]) -> Option<Self> {
+        let scale = (PROPORTION * widest(profile)).recip();
+        let is_sound = scale.is_finite() && profile.iter().all(|point| (*point * scale).is_finite());
+        is_sound.then(|| {
+            Self(profile.iter().map(|point| (*point * scale).round().as_ivec2().to_array()).collect())
+        })
+    }
+
+    /// The profile in its largest radius.
+    pub(super) fn profile(&self) -> Vec<Vec2> {
+        self.0.iter().map(|[r, h]| Vec2::new(*r as f32, *h as f32) * PROPORTION).collect()
+    }
+}
 
 /// A half ellipsoid of radius 1, upright at the origin and closed underneath, for domes that are large, or not.
 pub(super) fn dome(proportion: Proportion, is_large: bool, params: &SolidParams) -> Mesh {
     let (rows, size) = (params.dome_rows, Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * size);
     let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
-    revolved(UPRIGHT, &profile, sides(is_large, params), Projection::Planar)
+    revolved(&profile, sides(is_large, params), Projection::Planar)
 }
 
 /// An ellipsoid of radius 1 around the origin, its axis upright; the proportion is that of its half length.
@@ -115,18 +135,19 @@ pub(super) fn head(proportion: Proportion, params: &SolidParams) -> Mesh {
     let (rows, size) = (params.head_rows, Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
     let mut mesh = Mesh::default();
-    revolve(&mut mesh, UPRIGHT, &arc.collect::<Vec<_>>(), params.head_sides, Projection::Cylindrical);
+    revolve(&mut mesh, &arc.collect::<Vec<_>>(), params.head_sides, Projection::Cylindrical);
     mesh
 }
 
-/// A lathed body; `profile` holds (radius, height) along the outside and back along the inside, metres.
-pub(super) fn lathe(stand: Stand, profile: &[Vec2], params: &SolidParams) -> Mesh {
-    revolved(stand, profile, sides(is_large(widest(profile)), params), Projection::Cylindrical)
+/// A lathed body of these proportions that is large, or not, its largest radius 1, upright at the origin. A profile holds (radius, height)
+/// along the outside and back along the inside.
+pub(super) fn lathe(proportions: &Proportions, is_large: bool, params: &SolidParams) -> Mesh {
+    revolved(&proportions.profile(), sides(is_large, params), Projection::Cylindrical)
 }
 
-fn revolved(stand: Stand, profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {
+fn revolved(profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {
     let mut mesh = Mesh::default();
-    revolve(&mut mesh, stand, profile, sides, projection);
+    revolve(&mut mesh, profile, sides, projection);
     mesh.split_disagreeing_corners();
     mesh
 }
@@ -164,9 +185,8 @@ fn profile_normals(profile: &[Vec2], i: usize) -> (Vec2, Vec2) {
     }
 }
 
-/// A profile on its way around an axis.
+/// A profile on its way around the upright axis.
 struct Sweep {
-    stand: Stand,
     /// Unit directions from the axis to the sides.
     around: Vec<Vec3>,
     sides: u32,
@@ -174,20 +194,20 @@ struct Sweep {
     widest: f32,
 }
 
-/// Appends the sweep of a profile around an axis, nothing if the profile encloses nothing.
-fn revolve(mesh: &mut Mesh, stand: Stand, profile: &[Vec2], sides: u32, projection: Projection) {
+/// Appends the sweep of a profile around the upright axis, nothing if the profile encloses nothing.
+fn revolve(mesh: &mut Mesh, profile: &[Vec2], sides: u32, projection: Projection) {
     let profile = closed_profile(profile);
     let last = profile.len() - 1;
     if last < 2 {
         return;
     }
-    let side = frame::hidden_side(stand.axis);
+    let side = frame::hidden_side(Vec3::Y);
     let widest = profile.iter().fold(f32::MIN_POSITIVE, |m, p| m.max(p.x));
-    let other = stand.axis.cross(side);
+    let other = Vec3::Y.cross(side);
     let direction = |c: Vec2| side * c.x + other * c.y;
     let angles = (0..sides).map(|j| TAU * j as f32 / sides as f32);
     let around = angles.map(|angle| direction(Vec2::from_angle(angle))).collect();
-    let sweep = Sweep { stand, around, sides, projection, widest };
+    let sweep = Sweep { around, sides, projection, widest };
     let length = polyline::length(&profile);
     let mut first_point = sweep.points(mesh, profile[0]);
     let mut bottom = sweep.row(mesh, profile[0], profile_normals(&profile, 0).1, 0.0, first_point);
@@ -207,7 +227,7 @@ impl Sweep {
     /// Appends the points of one profile point, a single one on the axis, and returns the first's index.
     fn points(&self, mesh: &mut Mesh, p: Vec2) -> u32 {
         let first = mesh.points.len() as u32;
-        let centre = self.stand.base + self.stand.axis * p.y;
+        let centre = Vec3::Y * p.y;
         if p.x > 0.0 {
             mesh.points.extend(self.around.iter().map(|direction| centre + *direction * p.x));
         } else {
@@ -234,8 +254,8 @@ impl Sweep {
             let point = if pole { first_point } else { first_point + side };
             // At a pole the sideways parts cancel; one that is only sideways (a spike) has none to keep.
             let outward = if pole { Vec3::ZERO } else { self.around[side as usize] * normal.x };
-            let normal = outward + self.stand.axis * normal.y;
-            Vertex { point, normal: normal.try_normalize().unwrap_or(self.stand.axis), uv }
+            let normal = outward + Vec3::Y * normal.y;
+            Vertex { point, normal: normal.try_normalize().unwrap_or(Vec3::Y), uv }
         }));
         first
     }
@@ -258,6 +278,10 @@ impl Sweep {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn lathed(profile: &[Vec2]) -> Mesh {
+        lathe(&Proportions::of(profile).unwrap(), true, &SolidParams::default())
+    }
 
     fn proportion(height: f32) -> Proportion {
         Proportion::of(1.0, height).unwrap()
@@ -294,7 +318,7 @@ mod tests {
     fn a_pot_is_hollow_and_its_rim_is_a_crease() {
         let profile =
             [(0.0, 0.0), (0.6, 0.0), (1.0, 1.0), (0.9, 1.0), (0.5, 0.1), (0.0, 0.1)].map(Vec2::from);
-        let mesh = lathe(UPRIGHT, &profile, &SolidParams::default());
+        let mesh = lathed(&profile);
         mesh.check_invariants().unwrap();
         let volume: f32 =
             mesh.triangles.iter().map(|t| mesh.corners(*t)).map(|[a, b, c]| a.dot(b.cross(c))).sum();
@@ -308,10 +332,10 @@ mod tests {
 
     #[test]
     fn profiles_drawn_the_other_way_round_face_outward_too() {
-        let up = [(0.0, 0.0), (0.5, 0.5), (0.0, 1.0)].map(Vec2::from);
+        let up = [(0.0, 0.0), (1.0, 0.5), (0.0, 1.0)].map(Vec2::from);
         let down = [up[2], up[1], up[0]];
         for profile in [up, down] {
-            let mesh = lathe(UPRIGHT, &profile, &SolidParams::default());
+            let mesh = lathed(&profile);
             mesh.check_invariants().unwrap();
             assert!(
                 mesh.vertices
@@ -323,6 +347,19 @@ mod tests {
 
     #[test]
     fn a_profile_without_body_has_no_faces() {
-        assert!(lathe(UPRIGHT, &[Vec2::ZERO; 3], &SolidParams::default()).triangles.is_empty());
+        assert!(Proportions::of(&[Vec2::ZERO; 3]).is_none());
+    }
+
+    #[test]
+    fn bodies_that_differ_in_size_have_proportions_in_common() {
+        let profile: Vec<Vec2> =
+            (0..9).map(|i| Vec2::from_angle(PI * i as f32 / 8.0 - FRAC_PI_2) * Vec2::new(1.0, 1.3)).collect();
+        let of = |size: f32| Proportions::of(&profile.iter().map(|p| *p * size).collect::<Vec<_>>()).unwrap();
+        for size in [1e-4, 0.0173, 0.3, 7.1, 4321.0] {
+            assert_eq!(of(size), of(1.0));
+        }
+        for (kept, point) in of(1.0).profile().iter().zip(&profile) {
+            assert!(kept.distance(*point) < PROPORTION);
+        }
     }
 }

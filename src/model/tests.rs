@@ -424,3 +424,33 @@ fn a_flower_that_was_drawn_keeps_its_parts() {
     assert_eq!(part_names(&model), names);
     assert_eq!(check(&model), Ok(()));
 }
+
+#[test]
+fn fruits_of_one_proportion_are_copies_of_one_shape() {
+    let mut plant = Plant::default();
+    let fruit = |k: usize| {
+        let size = 0.01 + 0.0003 * k as f32;
+        let profile = [(0.0, 0.1), (0.5, 0.0), (1.0, 0.9), (0.3, 1.7), (0.0, 1.6)];
+        let shape = Shape::Lathe {
+            base: Vec3::X * k as f32,
+            axis: Vec3::new(0.0, -0.8, 0.6),
+            profile: profile.iter().map(|point| Vec2::from(*point) * size).collect(),
+        };
+        let role = Role::of(OrganPart::Fruit);
+        Organ { role, origin: Origin::Generated, branch: None, flower: None, shape }
+    };
+    plant.organs = (0..60).map(fruit).collect();
+    let model = build(&FinishedPlant::plain(plant), &ModelParams::default());
+    let copies: Vec<_> = model.parts.iter().filter_map(|part| part.copies.as_ref()).collect();
+    // Larger ones have more sides.
+    assert!(copies.iter().map(|copies| copies.shapes.len()).sum::<usize>() <= 2);
+    assert_eq!(copies.iter().map(|copies| copies.placements.len()).sum::<usize>(), 60);
+    let flat = model.flattened();
+    flat.parts.iter().for_each(|part| part.mesh.check_invariants().unwrap());
+    let points = || flat.parts.iter().flat_map(|part| &part.mesh.points);
+    // The last one's widest ring and its lower end.
+    let (size, axis) = (0.01 + 0.0003 * 59.0, Vec3::new(0.0, -0.8, 0.6));
+    let on = |p: &&Vec3| (p.x - 59.0).abs() < 0.1;
+    let along = points().filter(on).map(|p| (*p - Vec3::X * 59.0).dot(axis)).fold(0.0, f32::max);
+    assert!((along - 1.7 * size).abs() < 1e-4, "{along}");
+}

@@ -14,7 +14,7 @@ use crate::growth::Obstacles;
 use crate::growth::overlay::Spot;
 use crate::model::{self, Model, ModelParams};
 use crate::modelling::{self, DrawnWood, PartNames};
-use crate::plant::{FinishedPlant, Plant, Provenance};
+use crate::plant::{FinishedPlant, FlowerBuds, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
 use std::borrow::Cow;
@@ -80,14 +80,12 @@ pub(super) fn finish(
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let names = PartNames::new(&provenance);
     let plant = clock.time("species", || {
-        let Applied { mut plant, is_blossom_thinned } = species::apply_within(
-            plant,
-            &buds,
-            &provenance,
-            &looks(species, params, may_flower),
-            seed,
-            &budget,
-        );
+        let looks = looks(species, params, may_flower);
+        // Outside of its time of blossom a tree shows nothing of its flower buds.
+        let buds =
+            if looks.blossom.is_some() == species.blossom.is_some() { buds } else { FlowerBuds::default() };
+        let Applied { mut plant, is_blossom_thinned } =
+            species::apply_within(plant, &buds, &provenance, &looks, seed, &budget);
         if is_blossom_thinned {
             remark(Remark::BlossomThinned { flowers: plant.flowers.len() });
         }
@@ -148,6 +146,11 @@ fn looks<'a>(species: &'a Species, params: &Params, may_flower: bool) -> Cow<'a,
     // Leaves of roses are made for their season.
     if species.rose.is_none() && params.season.time != looks.season.time {
         looks.to_mut().season.time = params.season.time;
+    }
+    if params.season.fruits != 1.0
+        && let Some(set) = looks.to_mut().fruit.as_mut().and_then(|fruit| fruit.set.as_mut())
+    {
+        set.share = (set.share * params.season.fruits).min(1.0);
     }
     if looks.blossom.is_some() && !(may_flower && looks.is_in_blossom()) {
         looks.to_mut().blossom = None;

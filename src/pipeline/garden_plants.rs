@@ -87,7 +87,8 @@ pub(super) fn individuals(of: &MadeOf, drawn: &Built) -> Vec<Grown> {
             let Some((species, params)) = set_up(drawing.sketch(), &season) else { return Vec::new() };
             let built = |number: u32| {
                 let seed = drawing.sketch().seed.wrapping_add(u64::from(number));
-                drawn_alone((&species, &params), &Sketch { seed, ..drawing.sketch().clone() })
+                let built = drawn_alone((&species, &params), &Sketch { seed, ..drawing.sketch().clone() });
+                built.filter(|built| built.model.triangle_count() > 0)
             };
             grown(of, &params, built)
         }

@@ -77,7 +77,9 @@ pub(super) fn lay_out(
     let (mut remarks, mut plants) = (Vec::new(), Vec::new());
     for kind in painted::kinds(&sketch.garden) {
         match kind {
-            GardenPlant::Drawn if drawn.model.triangle_count() == 0 => remarks.push(Remark::NothingToPlant),
+            GardenPlant::Drawn if drawn.model.triangle_count() == 0 => {
+                remarks.push(Remark::NothingToPlant { drawing: None });
+            }
             GardenPlant::Drawn => plants.push(PlantOf::drawn(sketch, (species, params))),
             GardenPlant::Drawing(drawing) => plants.push(PlantOf::Drawing(drawing.clone())),
             GardenPlant::Species { name, age } if makes_itself(name) => {
@@ -146,6 +148,12 @@ impl Laying<'_> {
         wanted.push(made_of);
         memory.individuals.retain(|kept| wanted.iter().any(|made_of| made_of.contains(&kept.of)));
         memory.stocks.retain(|(made_of, _)| wanted.contains(made_of));
+        remarks.extend(self.plants.iter().zip(&stock.kinds).filter_map(|(plant, kind)| match plant {
+            PlantOf::Drawing(drawing) if kind.individuals.is_empty() => {
+                Some(Remark::NothingToPlant { drawing: Some(quote::name(drawing.name())) })
+            }
+            _ => None,
+        }));
         let fitting = fitting(&stock, &places);
         if fitting < places.len() || !are_all {
             places.truncate(fitting);

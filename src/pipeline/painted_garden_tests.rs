@@ -110,18 +110,22 @@ fn individuals_are_kept_while_they_are_wanted() {
 
 #[test]
 fn beds_of_nothing_are_remarked_on() {
+    let hollow = GardenDrawing::new("hollow", Sketch { strokes: Vec::new(), ..drawn(Vec::new()) }).unwrap();
     let garden = vec![
         stroke(plants(None), [-1.0, 1.0], [1.0, 1.0]),
         stroke(plants(Some("no such plant")), [-1.0, 2.0], [1.0, 2.0]),
         stroke(GardenTool::Path, [-1.0, 3.0], [1.0, 3.0]),
+        stroke(GardenTool::Plants(GardenPlant::Drawing(hollow)), [-1.0, 4.0], [1.0, 4.0]),
     ];
     let sketch = Sketch { strokes: Vec::new(), ..drawn(garden) };
     let species = Species::built_in("balloon_flower").unwrap();
     let built = build(&sketch, &species, &params(&sketch, &species));
     let remarks: Vec<&Remark> = built.remarks.iter().map(|warning| &warning.remark).collect();
-    assert!(remarks.contains(&&Remark::NothingToPlant), "{remarks:?}");
+    assert!(remarks.contains(&&Remark::NothingToPlant { drawing: None }), "{remarks:?}");
     let of_name = |remark: &&Remark| matches!(remark, Remark::NoSuchPlantInGarden { species, .. } if species == "no such plant");
     assert!(remarks.iter().any(of_name), "{remarks:?}");
+    let other = Remark::NothingToPlant { drawing: Some("hollow".into()) };
+    assert!(remarks.contains(&&other), "{remarks:?}");
     let garden = built.garden.unwrap();
     assert!(garden.places.is_empty() && garden.ground.is_some(), "the path is there");
 }

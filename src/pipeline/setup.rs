@@ -61,7 +61,7 @@ impl Params {
     /// What a plant of a species has where nobody says otherwise.
     pub fn of_species(species: &Species) -> Self {
         let habit = species.growth.clone().unwrap_or_default();
-        let season = SeasonParams { time: species.season.time };
+        let season = SeasonParams { time: species.season.time, ..SeasonParams::default() };
         Self {
             habit,
             season,

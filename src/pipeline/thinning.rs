@@ -5,7 +5,7 @@
 //! lose that share, too; leaves that stay are larger, so that they cover about what all did.
 
 use crate::geom::polyline;
-use crate::plant::{Blade, FinishedPlant, Organ, OrganKind, Plant, Shape};
+use crate::plant::{Blade, FinishedPlant, Organ, OrganKind, OrganPart, Plant, Shape};
 use crate::random::{mix, unit};
 use glam::Vec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -136,12 +136,30 @@ pub(super) fn thinned(plant: &FinishedPlant, [leaves, flowers]: [f32; 2]) -> Fin
 
 /// The plant with such a share of the thorns that nobody drew.
 pub(super) fn with_thorns(plant: &FinishedPlant, share: f32) -> FinishedPlant {
-    let mut plant = plant.clone();
     let goes = |(index, organ): (u64, &Organ)| {
         organ.kind() == OrganKind::Thorn && !organ.origin.is_drawn() && unit(mix(3, index)) >= share
     };
+    without(plant, (0..).zip(&plant.organs).map(goes))
+}
+
+/// The plant with such a share of the fruits that nobody drew, each with its stalk, which stands before it.
+pub(super) fn with_fruits(plant: &FinishedPlant, share: f32) -> FinishedPlant {
+    let mut number = 0;
+    let mut is_on_stalk = false;
+    let goes = |organ: &Organ| {
+        let is_stalk = organ.role.part == OrganPart::FruitStalk;
+        number += u64::from(is_stalk || !is_on_stalk);
+        is_on_stalk = is_stalk;
+        organ.kind() == OrganKind::Fruit && !organ.origin.is_drawn() && unit(mix(4, number)) >= share
+    };
+    without(plant, plant.organs.iter().map(goes))
+}
+
+/// The plant without the organs that go.
+fn without(plant: &FinishedPlant, goes: impl Iterator<Item = bool>) -> FinishedPlant {
+    let goes: Vec<bool> = goes.collect();
+    let mut plant = plant.clone();
     plant.reshape(|plant| {
-        let goes: Vec<bool> = (0..).zip(&plant.organs).map(goes).collect();
         let mut goes = goes.into_iter();
         plant.organs.retain(|_| !goes.next().unwrap_or(false));
     });

@@ -9,7 +9,7 @@
 //! them the same share of leaves; leaves fill up what a flower more would be too much for. One flower always stays, and so does its
 //! stem; other twigs go last. More are asked for: everything becomes finer.
 //!
-//! Of a plant with cards thorns go before anything else.
+//! Before anything else fruits go until those that stay have no more than their share, and then, of a plant with cards, thorns.
 //!
 //! How many triangles there are is counted on models, of which one or two dozen are built, so the number is exact.
 //!
@@ -18,11 +18,13 @@
 //! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
 //! at its finest may have fewer. The plant's list of flowers keeps those that went.
 
-use super::thinning::{Foliage, OnTwigs, thinned, with_thorns, without_twigs};
+use super::thinning::{Foliage, OnTwigs, thinned, with_fruits, with_thorns, without_twigs};
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 
+/// Share of the triangles that fruits may have.
+const FRUITS: f32 = 0.15;
 /// Accepted difference, share of the triangles asked for.
 const NEAR: f32 = 0.03;
 /// Foliage has its own share of the triangles from so many pieces on.
@@ -65,6 +67,7 @@ pub(super) fn fit(
         let by = largest_each(|by| budget.has_room(&plant, &finer(by)), |_| false);
         return (plant, finer(by));
     }
+    let (plant, now) = with_few_fruits(plant, params, now, &budget);
     let (plant, now) = match has_cards(&plant) {
         true => {
             let plant = with_few_thorns(plant, params, &budget);
@@ -182,6 +185,27 @@ fn largest_each<const N: usize>(
 /// Whether foliage of a plant is cards, beside which nobody looks for thorns.
 fn has_cards(plant: &FinishedPlant) -> bool {
     plant.organs.iter().any(|organ| matches!(organ.shape, Shape::Card { .. }))
+}
+
+/// The plant with as many of the fruits that nobody drew as have room in their share of the triangles, and its triangles; `now` are
+/// those of the whole.
+fn with_few_fruits(
+    plant: FinishedPlant,
+    params: &ModelParams,
+    now: u64,
+    budget: &Budget<'_>,
+) -> (FinishedPlant, u64) {
+    if plant.organs.iter().all(|organ| organ.kind() != OrganKind::Fruit) {
+        return (plant, now);
+    }
+    let fruits = now.saturating_sub(budget.count(&with_fruits(&plant, 0.0), params));
+    let share = FRUITS * budget.wanted as f32 / fruits.max(1) as f32;
+    if share >= 1.0 {
+        return (plant, now);
+    }
+    let plant = with_fruits(&plant, share);
+    let now = budget.count(&plant, params);
+    (plant, now)
 }
 
 /// The plant with as many of its thorns as there is room for.

@@ -59,6 +59,8 @@ parts! {
     Stigma = "stigma";
     /// Fruits.
     Fruit = "fruit";
+    /// Stalks of fruits that nobody drew.
+    FruitStalk = "fruit_stalk";
     /// Thorns.
     Thorn = "thorn";
     /// Pot.
@@ -78,7 +80,7 @@ impl OrganPart {
             Self::Cup | Self::Disc => OrganKind::Receptacle,
             Self::Stamen | Self::Anther => OrganKind::Stamen,
             Self::Pistil | Self::Stigma => OrganKind::Pistil,
-            Self::Fruit => OrganKind::Fruit,
+            Self::Fruit | Self::FruitStalk => OrganKind::Fruit,
             Self::Thorn => OrganKind::Thorn,
             Self::Pot | Self::Soil => OrganKind::Pot,
         }
@@ -177,6 +179,7 @@ impl Role<OrganPart> {
         let part = match self.part {
             OrganPart::Stamen => OrganPart::Anther,
             OrganPart::Pistil => OrganPart::Stigma,
+            OrganPart::FruitStalk => OrganPart::Fruit,
             part => part,
         };
         Self { part, ..self }

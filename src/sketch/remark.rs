@@ -288,9 +288,12 @@ pub enum Remark {
         /// Those that grow.
         known: String,
     },
-    /// A bed of the drawn plant where none is drawn.
-    #[error("the garden has beds of the drawn plant, but none is drawn: draw one, or choose a species")]
-    NothingToPlant,
+    /// A bed of the drawn plant where none is drawn, or of another drawing that gives none.
+    #[error("{}", nothing_to_plant(drawing.as_deref()))]
+    NothingToPlant {
+        /// The other drawing's name.
+        drawing: Option<String>,
+    },
     /// A garden of more plants than it may have.
     #[error(
         "the garden has {plants} plants, fewer than were painted: the most that it may have; paint it less densely"
@@ -347,7 +350,7 @@ impl Remark {
             | Self::LeavesThinned { .. }
             | Self::NoSuchPlant { .. }
             | Self::NoSuchPlantInGarden { .. }
-            | Self::NothingToPlant
+            | Self::NothingToPlant { .. }
             | Self::GardenThinned { .. }
             | Self::PlantOutOfScale
             | Self::Coarser { .. } => true,
@@ -378,6 +381,17 @@ impl Remark {
             | Self::More { .. } => false,
         }
     }
+}
+
+/// What a bed of the drawn plant, or of another drawing, lacks.
+fn nothing_to_plant(drawing: Option<&str>) -> String {
+    let Some(drawing) = drawing else {
+        return "the garden has beds of the drawn plant, but none is drawn: draw one, or choose a species"
+            .to_owned();
+    };
+    format!(
+        "the garden has beds of the drawing `{drawing}`, but that gives no plant: open it to see why, or choose another"
+    )
 }
 
 /// An element of an SVG file, as a remark names it.

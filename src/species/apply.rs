@@ -8,6 +8,7 @@ use super::blossom::blossom;
 use super::cap::caps;
 use super::compound_leaves;
 use super::form;
+use super::fruits::fruits;
 use super::full::{self, FullSeat};
 use super::ground;
 use super::looks::{FlowerLook, PetalLook, Species};
@@ -97,6 +98,7 @@ pub fn apply_within(
     for flower in &mut plant.flowers {
         flower.look = looks.get(flower.look % looks.len().max(1)).copied().unwrap_or(0);
     }
+    let fruits = fruiting(&plant, provenance, species, seed, budget);
     season::turn(&mut plant, provenance, species, seed);
     compound_leaves::divide(&mut plant, &species.leaf, seed);
     let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
@@ -108,6 +110,7 @@ pub fn apply_within(
         ground::keep_above(&mut plant);
     }
     let (mut added, templates) = flower_centres(&plant, species, &petals, seed);
+    added.extend(fruits);
     added.extend(thorny(&plant, provenance, species, seed));
     if species.fruit.as_ref().is_some_and(|fruit| fruit.underside.is_some()) {
         added.extend(caps(&mut plant));
@@ -234,6 +237,18 @@ fn flower_centres(plant: &Plant, species: &Species, petals: &[Petals], seed: u64
         out.extend(flower_centre(plant, index, &petals[index], look, &mut templates, rng));
     }
     (out, templates)
+}
+
+/// The fruits that a species' plants bear by themselves.
+fn fruiting(
+    plant: &Plant,
+    provenance: &Provenance,
+    species: &Species,
+    seed: u64,
+    budget: &Budget,
+) -> Vec<Organ> {
+    let Some(set) = species.fruit.as_ref().and_then(|fruit| fruit.set.as_ref()) else { return Vec::new() };
+    fruits(plant, provenance, (set, &species.season), budget.blossoms, seed)
 }
 
 fn thorny(plant: &Plant, provenance: &Provenance, species: &Species, seed: u64) -> Vec<Organ> {

@@ -182,8 +182,10 @@ impl Species {
         let drawn = self.leaf.drawn.iter().flat_map(|names| &names.0);
         out.extend(drawn.map(|m| ("leaf.drawn".into(), m.as_str())));
         out.extend(self.fruit.iter().map(|fruit| ("fruit.material".into(), fruit.material.as_str())));
-        let underside = self.fruit.iter().filter_map(|fruit| fruit.underside.as_deref());
-        out.extend(underside.map(|m| ("fruit.underside".into(), m)));
+        if let Some(fruit) = &self.fruit {
+            let more = [("underside", &fruit.underside), ("unripe", &fruit.unripe), ("stalk", &fruit.stalk)];
+            out.extend(more.iter().filter_map(|(key, m)| Some((format!("fruit.{key}"), m.as_deref()?))));
+        }
         out.extend(self.thorns.iter().map(|t| ("thorns.material".into(), t.material.as_str())));
         if let Some(pot) = &self.pot {
             out.extend([

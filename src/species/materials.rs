@@ -2,7 +2,8 @@
 
 use super::builtin_textures::builtin_texture;
 use super::cap::UNDERSIDE;
-use super::looks::{FilamentLook, FlowerLook, MaterialLook, SeasonLook, Species};
+use super::fruits::UNRIPE;
+use super::looks::{FilamentLook, FlowerLook, FruitLook, MaterialLook, SeasonLook, Species};
 use super::season::{self, Tint};
 use crate::input;
 use crate::picture::{self, Picture, recoloured};
@@ -94,6 +95,16 @@ fn usual(role: Role) -> MaterialLook {
     }
 }
 
+/// What a variant of a species' fruits is made of.
+fn of_fruit(look: &FruitLook, variant: u32) -> &str {
+    let other = match variant {
+        UNDERSIDE => &look.underside,
+        UNRIPE => &look.unripe,
+        _ => &None,
+    };
+    other.as_ref().unwrap_or(&look.material)
+}
+
 /// The name of a role's material and the part whose picture replaces it. What the species says nothing about is made of
 /// what its leaves or stems are made of.
 fn named(species: &Species, role: Role) -> (PlantPart, &str) {
@@ -114,10 +125,12 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
         OrganPart::Thorn => species.thorns.as_ref().map(|look| look.material.as_str()),
         OrganPart::Pot => Some(species.pot.as_ref().map_or(part.name(), |look| &look.material)),
         OrganPart::Soil => Some(species.pot.as_ref().map_or(part.name(), |look| &look.soil)),
-        OrganPart::Fruit => Some(species.fruit.as_ref().map_or(part.name(), |look| match &look.underside {
-            Some(underside) if role.variant == UNDERSIDE => underside.as_str(),
-            _ => look.material.as_str(),
-        })),
+        OrganPart::Fruit => {
+            Some(species.fruit.as_ref().map_or(part.name(), |look| of_fruit(look, role.variant)))
+        }
+        OrganPart::FruitStalk => {
+            species.fruit.as_ref().and_then(|look| look.stalk.as_deref()).or(species.stem.twig.as_deref())
+        }
         OrganPart::Leaf | OrganPart::Petiole => None,
     };
     let own = match role.part {

@@ -8,7 +8,7 @@
 //! young oaks and beeches. So a tree turns leaf by leaf, and the same leaves go first in every picture of it. A colour is laid
 //! into the leaf's own picture ([`crate::picture::recoloured`]), whatever that shows.
 //!
-//! Limits: flowers that somebody drew stay; fruits do not ripen; leaves that have fallen are gone; a picture that a drawing lays over its
+//! Limits: flowers that somebody drew stay; leaves that have fallen are gone; a picture that a drawing lays over its
 //! leaves keeps its colours. Roses are made for their season from the beginning (`rose/habit.rs`). The papers have no seasons.
 
 use super::looks::{SeasonLook, Species};
@@ -35,6 +35,8 @@ crate::parameters! {
     pub struct SeasonParams {
         /// Time of the year: 0 buds break, 1 spring, 2 early summer, 3 end of summer, 4 autumn, 5 winter.
         time: f32 = 2.0, 0.0..=5.0, "";
+        /// How many fruits trees and shrubs bear when their season comes, against what is usual for their species.
+        fruits: f32 = 1.0, 0.0..=8.0, "";
     }
 }
 
@@ -153,7 +155,7 @@ pub(super) fn turn(plant: &mut Plant, provenance: &Provenance, species: &Species
 }
 
 /// What tells a leaf from the others: its stroke or its place to a tenth of a millimetre.
-fn key(organ: &Organ, provenance: &Provenance, seed: u64) -> u64 {
+pub(super) fn key(organ: &Organ, provenance: &Provenance, seed: u64) -> u64 {
     let place = || match &organ.shape {
         Shape::Blade(blade) => (blade.base * 1e4).to_array().map(|x| u64::from(x.round() as i32 as u32)),
         _ => [0; 3],

@@ -421,6 +421,7 @@ keys! {
     WarningNoSuchPlant = "warning.no_such_plant",
     WarningNoSuchPlantInGarden = "warning.no_such_plant_in_garden",
     WarningNothingToPlant = "warning.nothing_to_plant",
+    WarningNothingToPlantOf = "warning.nothing_to_plant_of",
     WarningGardenThinned = "warning.garden_thinned",
     WarningPlantOutOfScale = "warning.plant_out_of_scale",
     WarningOfPlant = "warning.of_plant",

@@ -80,7 +80,7 @@ impl Localize for Remark {
                 fill(Msg::WarningNoSuchPlant, &[("known", &names_of(known, messages))])
             }
             Self::NoSuchPlantInGarden { species, known } => no_bed(species, known, messages),
-            Self::NothingToPlant => fill(Msg::WarningNothingToPlant, &[]),
+            Self::NothingToPlant { drawing } => nothing_to_plant(drawing.as_deref(), messages),
             Self::GardenThinned { plants } => fill(Msg::WarningGardenThinned, &[("plants", plants)]),
             Self::PlantOutOfScale => fill(Msg::WarningPlantOutOfScale, &[]),
             Self::OfPlant { place, species, remark } => of_plant((*place, species), remark, messages),
@@ -105,6 +105,14 @@ fn names_of(species: &str, messages: &Messages) -> String {
 fn no_bed(species: &str, known: &str, messages: &Messages) -> String {
     let (species, known) = (names_of(species, messages), names_of(known, messages));
     messages.fill(Msg::WarningNoSuchPlantInGarden, &[("species", &species), ("known", &known)])
+}
+
+/// That beds are of a plant that there is not.
+fn nothing_to_plant(drawing: Option<&str>, messages: &Messages) -> String {
+    match drawing {
+        None => messages.get(Msg::WarningNothingToPlant).to_owned(),
+        Some(drawing) => messages.fill(Msg::WarningNothingToPlantOf, &[("drawing", &drawing)]),
+    }
 }
 
 fn words_of(reading: Reading) -> Msg {
@@ -200,8 +208,11 @@ mod tests {
             Remark::NoSuchPlant { .. } => {
                 Remark::NoSuchPlantInGarden { species: "daisy".to_owned(), known: "oak".to_owned() }
             }
-            Remark::NoSuchPlantInGarden { .. } => Remark::NothingToPlant,
-            Remark::NothingToPlant => Remark::GardenThinned { plants: 62 },
+            Remark::NoSuchPlantInGarden { .. } => Remark::NothingToPlant { drawing: None },
+            Remark::NothingToPlant { drawing: None } => {
+                Remark::NothingToPlant { drawing: Some("shrub".to_owned()) }
+            }
+            Remark::NothingToPlant { .. } => Remark::GardenThinned { plants: 62 },
             Remark::GardenThinned { .. } => Remark::PlantOutOfScale,
             Remark::PlantOutOfScale => {
                 let remark = Box::new(Remark::GrownTooLarge { years: 60 });
