@@ -2,7 +2,8 @@
 //!
 //! A species with `[fruit.set]` sets them where some of its leaves stand, one or a cluster at a place: wood in leaf bears fruit,
 //! grown or drawn, whoever made it. From the end of blossom they swell; each ripens and falls at a time of its own within those of
-//! its species, from its place and the seed, so that the same fruits go first in every picture of a plant.
+//! its species, from its place and the seed, so that the same fruits go first in every picture of a plant. Where somebody drew
+//! fruits there are those and no others.
 //!
 //! Berries are the heads of filaments, of few triangles each, because a rowan has thousands; everything larger is a body of
 //! revolution at the end of its stalk. Either way all of one kind are copies of one shape (`src/model/shapes.rs`).
@@ -78,7 +79,7 @@ const fn profile(shape: FruitShape) -> Option<Profile> {
     }
 }
 
-/// The fruits of a plant at a time of the year, at most so many; `seed` decides which leaves have some.
+/// The fruits that nobody drew of a plant at a time of the year, at most so many; `seed` decides which leaves have some.
 pub(super) fn fruits(
     plant: &Plant,
     provenance: &Provenance,
@@ -86,7 +87,8 @@ pub(super) fn fruits(
     most: usize,
     seed: u64,
 ) -> Vec<Organ> {
-    if year.time <= SET {
+    let is_drawn = |organ: &Organ| organ.role.part == OrganPart::Fruit && organ.origin.is_drawn();
+    if year.time <= SET || plant.organs.iter().any(is_drawn) {
         return Vec::new();
     }
     let seats: Vec<Seat> = plant.organs.iter().filter_map(|organ| seat(plant, organ)).collect();

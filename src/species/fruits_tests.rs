@@ -144,6 +144,23 @@ fn none_hangs_below_the_ground_and_none_is_one_too_many() {
 }
 
 #[test]
+fn where_fruits_were_drawn_there_are_no_others() {
+    let species = of("apple", 3.65);
+    let mut plant = Plant::default();
+    let ripe = in_leaf(&species);
+    (plant.organs, plant.templates) = (ripe.organs.clone(), ripe.templates.clone());
+    let set = species.fruit.as_ref().unwrap().set.as_ref().unwrap();
+    let mut provenance = Provenance::default();
+    let count = |plant: &Plant, provenance: &Provenance| {
+        fruits(plant, provenance, (set, &species.season), 9999, 1).len()
+    };
+    assert!(count(&plant, &provenance) > 0);
+    let drawn = provenance.record(Some(1));
+    plant.organs.iter_mut().rfind(|organ| organ.role.part == OrganPart::Fruit).unwrap().origin = drawn;
+    assert_eq!(count(&plant, &provenance), 0);
+}
+
+#[test]
 fn times_that_are_no_times_are_refused() {
     let text = |ripe: &str| {
         format!(
