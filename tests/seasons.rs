@@ -105,13 +105,21 @@ fn fruits_leave_the_triangles_to_the_tree() {
         let params = params_of_species(&species, &all).unwrap();
         pipeline::build(&Seed { number: 3, age: Some(9.0), ..Seed::default() }, &species, &params)
     };
-    let (whole, small) = (build(&[]), build(&["model.budget.triangles=6000".into()]));
+    let whole = build(&[]);
+    let within = |triangles: usize| build(&[format!("model.budget.triangles={triangles}")]);
+    let small = within(6000);
     let count = |built: &Built, of_fruits: bool| {
         let flat = built.model.flattened();
         let parts = flat.parts.iter().filter(|part| !of_fruits || part.name.contains("fruit"));
         parts.map(|part| part.mesh.triangles.len()).sum::<usize>()
     };
     assert!((count(&small, false) as f32 / 6000.0 - 1.0).abs() < 0.035, "{}", count(&small, false));
+    // Where there is nearly room for all, some fruits go and nothing else.
+    let wanted = count(&whole, false) - count(&whole, true) / 3;
+    let few_go = within(wanted);
+    assert!((count(&few_go, false) as f32 / wanted as f32 - 1.0).abs() < 0.035, "{}", count(&few_go, false));
+    assert_eq!(few_go.plant.branches, whole.plant.branches);
+    assert_eq!(leaves(&few_go), leaves(&whole));
     assert!(count(&whole, true) > 6000, "{}", count(&whole, true));
     assert!((1..=1100).contains(&count(&small, true)), "{}", count(&small, true));
     // Each that stays has its stalk.

@@ -9,7 +9,8 @@
 //! them the same share of leaves; leaves fill up what a flower more would be too much for. One flower always stays, and so does its
 //! stem; other twigs go last. More are asked for: everything becomes finer.
 //!
-//! Before anything else fruits go until those that stay have no more than their share, and then, of a plant with cards, thorns.
+//! Before anything else fruits go until those that stay have no more than their share or what the rest leaves over, and then, of a
+//! plant with cards, thorns.
 //!
 //! How many triangles there are is counted on models, of which one or two dozen are built, so the number is exact.
 //!
@@ -76,7 +77,7 @@ pub(super) fn fit(
         }
         false => (plant, now),
     };
-    if now <= wanted {
+    if now <= wanted || budget.is_met(now) {
         return (plant, params.clone());
     }
     let foliage = Foliage::of(&plant);
@@ -198,8 +199,10 @@ fn with_few_fruits(
     if plant.organs.iter().all(|organ| organ.kind() != OrganKind::Fruit) {
         return (plant, now);
     }
-    let fruits = now.saturating_sub(budget.count(&with_fruits(&plant, 0.0), params));
-    let share = FRUITS * budget.wanted as f32 / fruits.max(1) as f32;
+    let others = budget.count(&with_fruits(&plant, 0.0), params);
+    // What the rest of the plant leaves over is theirs, too.
+    let room = (FRUITS * budget.wanted as f32).max(budget.wanted.saturating_sub(others) as f32);
+    let share = room / now.saturating_sub(others).max(1) as f32;
     if share >= 1.0 {
         return (plant, now);
     }
