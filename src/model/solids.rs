@@ -99,7 +99,7 @@ impl Proportion {
     }
 }
 
-/// Steps in which proportions of a profile are told apart, in its largest radius.
+/// Steps in which proportions of a profile are distinguished, in its largest radius.
 const PROPORTION: f32 = 1.0 / 8192.0;
 
 /// A profile in its largest radius, in steps of [`PROPORTION`]: what lathed bodies have in common that differ only in size.

@@ -10,7 +10,8 @@
 //!
 //! Limits: no wood bends under its fruits, and they may reach into leaves or each other; fallen ones are gone. The papers have none.
 
-use super::looks::{FruitSet, FruitShape, SeasonLook};
+use super::fruit_look::{FruitSet, FruitShape};
+use super::looks::SeasonLook;
 use super::season;
 use crate::geom::polyline;
 use crate::plant::{GrownId, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role, Shape};

@@ -2,8 +2,9 @@
 
 use super::builtin_textures::builtin_texture;
 use super::cap::UNDERSIDE;
+use super::fruit_look::FruitLook;
 use super::fruits::UNRIPE;
-use super::looks::{FilamentLook, FlowerLook, FruitLook, MaterialLook, SeasonLook, Species};
+use super::looks::{FilamentLook, FlowerLook, MaterialLook, SeasonLook, Species};
 use super::season::{self, Tint};
 use crate::input;
 use crate::picture::{self, Picture, recoloured};

@@ -18,6 +18,7 @@ pub mod filaments;
 pub mod file;
 pub mod flower_params;
 pub mod form;
+pub mod fruit_look;
 mod fruits;
 mod full;
 mod ground;
