@@ -5,12 +5,15 @@
 #![allow(clippy::unwrap_used, reason = "a bench that cannot go on has failed")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use penstemon::formats::write::{InstanceForm, Scene, format_of};
 use penstemon::garden::ground::Ground;
-use penstemon::garden::{Area, Garden, Kind, Plan, Share, Stands, Stock, TileSet, Variation};
+use penstemon::garden::stock::{Individual, KindStock, Surface};
+use penstemon::garden::{Area, Coarser, Garden, Kind, Plan, Share, Stands, Stock, TileSet, Variation, Views};
+use penstemon::model::{Mesh, PartKind, Vertex};
 use penstemon::pipeline::{self, Form, Grower};
 use penstemon::plant::{FinishedPlant, Material, Plant, Provenance};
+use penstemon::render::{CrowdChoice, OrbitCamera, Sight};
 use penstemon::sketch::{self, GardenPlant, GardenPoint, GardenStroke, GardenTool, Sketch};
 use penstemon::species::{Species, builtin_texture};
 use std::borrow::Cow;
@@ -25,6 +28,16 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 /// Plants of the gardens.
 const PLANTS: [u32; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
 const SPACING: f32 = 0.5;
+/// From where the pictures of far plants are seen.
+const SIDES: [Vec3; 7] = [
+    Vec3::X,
+    Vec3::Z,
+    Vec3::NEG_X,
+    Vec3::NEG_Z,
+    Vec3::new(1.0, 1.0, 1.0),
+    Vec3::new(-1.0, 1.0, -1.0),
+    Vec3::Y,
+];
 
 /// A square with room for about so many plants.
 fn plan(plants: u32, tiles: &TileSet) -> Plan {
@@ -134,5 +147,46 @@ fn painted(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, tiles, places, roses, painted);
+/// The forms in which plants are drawn while somebody walks through them: what a frame of the window costs before the GPU.
+fn choice(c: &mut Criterion) {
+    let tiles = TileSet::new(3, 1);
+    let mesh = || {
+        let points = vec![Vec3::ZERO, Vec3::X * 0.5, Vec3::Y];
+        let vertex = |point| Vertex { point, normal: Vec3::Z, uv: Vec2::ZERO };
+        Arc::new(Mesh {
+            points,
+            vertices: (0..3).map(vertex).collect(),
+            triangles: vec![[0, 1, 2]],
+            breaks: Vec::new(),
+        })
+    };
+    let form = || vec![Surface { material: 0, kind: PartKind::Wood, mesh: mesh() }];
+    let individual = || Individual {
+        surfaces: form(),
+        coarser: [400.0, 200.0, 100.0].map(|pixels| Coarser { form: form(), pixels }).into(),
+        views: Views { forms: SIDES.map(|side| (side.normalize(), form())).into(), pixels: 60.0 },
+    };
+    let individuals = (0..16).map(|_| individual()).collect();
+    let kinds = vec![KindStock { name: "rose".to_owned(), individuals, remarks: Vec::new() }];
+    let stock = Stock { kinds, ..Stock::default() };
+    let mut group = c.benchmark_group("forms of plants, a step");
+    for plants in PLANTS {
+        let places = plan(plants, &tiles).places(&tiles).unwrap();
+        let mut choice = CrowdChoice::new(&stock, &places).unwrap();
+        let mut step = 0;
+        group.throughput(Throughput::Elements(places.len() as u64));
+        group.bench_function(BenchmarkId::from_parameter(plants), |b| {
+            b.iter(|| {
+                step = (step + 1) % 200;
+                let at = Vec2::splat(5.0 + 0.05 * step as f32);
+                let camera = OrbitCamera::at_eye(at, 1.6, Vec2::ONE, 0.0);
+                let sight = Sight::of(&camera, (Vec3::ZERO, Vec3::splat(200.0)), [1920, 1080]);
+                choice.choose(black_box(&sight)).map(|(order, forms)| (order.len(), forms.len()))
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, tiles, places, roses, painted, choice);
 criterion_main!(benches);

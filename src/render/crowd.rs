@@ -1,68 +1,28 @@
 //! The plants of a garden on the GPU: each form of each individual once, and one table of where the plants stand, which is ordered anew for
-//! each camera so that every form has the plants that are to be seen in it next to one another, those inside of the picture first.
+//! each camera so that every form has the plants that are to be seen in it next to one another (`crowd_choice.rs`), those inside of the
+//! picture first.
 //!
-//! The others of a form are drawn into shadow maps alone. A form is the coarsest whose pixels are as many as the plant is wide
-//! ([`Sight`]). The order costs a few nanoseconds per plant, and nothing is uploaded while it stays the same.
+//! The others of a form are drawn into shadow maps alone. Nothing is uploaded while the order stays the same.
 //!
-//! Limits: a table holds as many plants as the device's largest buffer has room for; forms change at once, without a cross-fade.
+//! Limits: a table holds as many plants as the device's largest buffer has room for.
 
 use super::RenderError;
 use super::corner::Tint;
+use super::crowd_choice::{CrowdChoice, Rows};
 use super::debug;
 use super::drawn::{Drawn, PlacementRow};
 use super::gpu::Gpu;
 use super::shape::ResidentShape;
 use super::sight::Sight;
-use crate::garden::stock::{Individual, Surface};
-use crate::garden::{Crowd, Garden, Place, Stock};
+use crate::garden::stock::Surface;
+use crate::garden::{Crowd, Garden};
 use crate::model::{Mesh, Model};
-use glam::{Quat, Vec3};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::sync::Arc;
 
-/// A plant as the choice knows it: its individual, counted through all kinds, and the sphere around it.
-struct Plant {
-    individual: u32,
-    centre: Vec3,
-    radius: f32,
-    rotation: Quat,
-}
-
-/// The forms of an individual, the finest first, those from one side each last.
-struct Ladder {
-    /// The number of the first among all forms.
-    first: u32,
-    /// Up to which widths the others do, pixels.
-    pixels: Vec<f32>,
-    /// Toward the viewer, for those from one side each.
-    sides: Vec<Vec3>,
-    /// Up to which width these do.
-    side_pixels: f32,
-}
-
-impl Ladder {
-    fn new(first: u32, Individual { coarser, views, .. }: &Individual) -> Self {
-        Self {
-            first,
-            pixels: coarser.iter().map(|form| form.pixels).collect(),
-            sides: views.forms.iter().map(|(toward, _)| *toward).collect(),
-            side_pixels: views.pixels,
-        }
-    }
-
-    /// The form for a plant that is so wide, with the viewer in this direction from it.
-    fn form(&self, width: f32, toward: impl Fn() -> Vec3) -> u32 {
-        let of_all_sides = self.first + self.pixels.partition_point(|pixels| width <= *pixels) as u32;
-        if width > self.side_pixels {
-            return of_all_sides;
-        }
-        let toward = toward();
-        let sides = self.sides.iter().map(|side| side.dot(toward)).zip(0..);
-        let nearest = sides.max_by(|a, b| a.0.total_cmp(&b.0));
-        nearest.map_or(of_all_sides, |(_, side)| self.first + 1 + self.pixels.len() as u32 + side)
-    }
-}
+/// So many rows of the table are copied by one thread at a time.
+const AT_ONCE: usize = 4096;
 
 /// A surface of a form.
 struct CrowdSurface {
@@ -73,23 +33,16 @@ struct CrowdSurface {
     edges: Option<(wgpu::Buffer, u32)>,
 }
 
-/// Where the plants of a form are in the table: all, and those inside of the picture.
-#[derive(Clone, Default, PartialEq)]
-struct Rows {
-    all: Range<u32>,
-    in_view: Range<u32>,
-}
-
 /// The plants of a garden on the GPU.
 pub(super) struct CrowdDrawData {
     crowd: Crowd,
-    plants: Vec<Plant>,
+    choice: CrowdChoice,
+    /// Of each plant.
     rows: Vec<PlacementRow>,
-    ladders: Vec<Ladder>,
+    /// The same as they are in the table.
+    ordered: Vec<PlacementRow>,
     surfaces: Vec<CrowdSurface>,
     table: wgpu::Buffer,
-    /// For each plant twice the number of its form, and one more where it is outside of the picture.
-    chosen: Vec<u32>,
     /// By form.
     ranges: Vec<Rows>,
 }
@@ -111,11 +64,10 @@ impl CrowdDrawData {
             return Err(RenderError::model("garden", "it has more plants than the graphics card takes"));
         }
         let mut shapes = Shapes::of(known);
-        let (mut ladders, mut surfaces) = (Vec::new(), Vec::new());
+        let mut surfaces = Vec::new();
         let mut forms = 0;
         for kind in &stock.kinds {
             for individual in &kind.individuals {
-                ladders.push(Ladder::new(forms, individual));
                 for form in individual.forms() {
                     for surface in form {
                         let material = crowd.first_material + surface.material;
@@ -128,11 +80,12 @@ impl CrowdDrawData {
                 }
             }
         }
-        let (plants, rows) = plants(stock, places)?;
+        let choice = CrowdChoice::new(stock, places)?;
+        let rows: Vec<PlacementRow> = places.iter().map(PlacementRow::from).collect();
         let table = gpu.buffer("plants", bytemuck::cast_slice(&rows), wgpu::BufferUsages::VERTEX);
         let bytes = shapes.bytes + table.size();
-        let (chosen, ranges) = (Vec::new(), vec![Rows::default(); forms as usize]);
-        Ok((Self { crowd: crowd.clone(), plants, rows, ladders, surfaces, table, chosen, ranges }, bytes))
+        let ranges = vec![Rows::default(); forms as usize];
+        Ok((Self { crowd: crowd.clone(), choice, rows, ordered: Vec::new(), surfaces, table, ranges }, bytes))
     }
 
     /// Whether these are the plants of that crowd.
@@ -142,26 +95,12 @@ impl CrowdDrawData {
 
     /// Chooses for every plant the form in which a camera sees it. Whether any changed.
     pub(super) fn choose(&mut self, gpu: &Gpu, sight: &Sight) -> bool {
-        let choice = |plant: &Plant| {
-            let Plant { individual, centre, radius, rotation } = *plant;
-            let toward = || rotation.inverse() * sight.viewer_from(centre);
-            let form = self.ladders[individual as usize].form(sight.width(centre, radius), toward);
-            2 * form + u32::from(!sight.sees(centre, radius))
-        };
-        let chosen: Vec<u32> = self.plants.iter().map(choice).collect();
-        if chosen == self.chosen {
-            return false;
-        }
-        let (order, ends) = ordered(&chosen, 2 * self.ranges.len());
-        let rows: Vec<PlacementRow> = order.iter().map(|plant| self.rows[*plant as usize]).collect();
-        gpu.queue.write_buffer(&self.table, 0, bytemuck::cast_slice(&rows));
-        let (ends, _) = ends.as_chunks::<2>();
-        let mut begin = 0;
-        for (rows, [seen, end]) in self.ranges.iter_mut().zip(ends) {
-            *rows = Rows { all: begin..*end, in_view: begin..*seen };
-            begin = *end;
-        }
-        self.chosen = chosen;
+        let Some((order, ranges)) = self.choice.choose(sight) else { return false };
+        let rows = &self.rows;
+        let rows = order.par_iter().with_min_len(AT_ONCE).map(|plant| rows[*plant as usize]);
+        rows.collect_into_vec(&mut self.ordered);
+        gpu.queue.write_buffer(&self.table, 0, bytemuck::cast_slice(&self.ordered));
+        self.ranges = ranges;
         true
     }
 
@@ -235,86 +174,4 @@ fn check(kind: &str, surface: &Surface, has_material: bool) -> Result<(), Render
         return Err(RenderError::model(kind, "an individual refers to what does not exist"));
     }
     Ok(())
-}
-
-/// What the choice knows of each plant, and its row of the table.
-fn plants(stock: &Stock, places: &[Place]) -> Result<(Vec<Plant>, Vec<PlacementRow>), RenderError> {
-    let individuals = stock.kinds.iter().map(|kind| kind.individuals.len());
-    let firsts: Vec<usize> =
-        individuals.scan(0, |sum, count| Some(std::mem::replace(sum, *sum + count))).collect();
-    let spheres: Vec<(Vec3, f32)> =
-        stock.kinds.iter().flat_map(|kind| kind.individuals.iter().map(sphere)).collect();
-    let of_place = |place: &Place| {
-        let individual = firsts.get(place.kind as usize)? + place.variant as usize;
-        let (centre, radius) = *spheres.get(individual)?;
-        let plant = Plant {
-            individual: individual as u32,
-            centre: place.point(centre),
-            radius: radius * place.scale,
-            rotation: place.rotation,
-        };
-        Some((plant, PlacementRow::from(place)))
-    };
-    let known = places.iter().filter_map(of_place).collect::<(Vec<_>, Vec<_>)>();
-    if known.0.len() < places.len() {
-        return Err(RenderError::model("garden", "a plant is a copy of an individual that does not exist"));
-    }
-    Ok(known)
-}
-
-/// A sphere around an individual, around the middle of its box.
-fn sphere(individual: &Individual) -> (Vec3, f32) {
-    let points = || individual.surfaces.iter().flat_map(|surface| surface.mesh.points.iter().copied());
-    let bounds = points().map(|point| (point, point)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-    let centre = bounds.map_or(Vec3::ZERO, |(low, high)| low.midpoint(high));
-    (centre, points().map(|point| point.distance(centre)).fold(0.0, f32::max))
-}
-
-/// The numbers of the elements by rising bucket, in their order within each, and where each bucket ends.
-fn ordered(bucket_of: &[u32], buckets: usize) -> (Vec<u32>, Vec<u32>) {
-    let mut next = vec![0; buckets];
-    bucket_of.iter().for_each(|bucket| next[*bucket as usize] += 1);
-    let mut begin = 0;
-    for count in &mut next {
-        begin += std::mem::replace(count, begin);
-    }
-    let mut order = vec![0; bucket_of.len()];
-    for (element, bucket) in (0..).zip(bucket_of) {
-        let place = &mut next[*bucket as usize];
-        order[*place as usize] = element;
-        *place += 1;
-    }
-    (order, next)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::garden::{Coarser, Views};
-
-    #[test]
-    fn the_coarsest_form_that_is_fine_enough_is_chosen() {
-        let individual = |coarser: &[f32], sides: &[Vec3]| Individual {
-            coarser: coarser.iter().map(|pixels| Coarser { form: Vec::new(), pixels: *pixels }).collect(),
-            views: Views { forms: sides.iter().map(|side| (*side, Vec::new())).collect(), pixels: 20.0 },
-            ..Individual::default()
-        };
-        let ladder = Ladder::new(7, &individual(&[200.0, 100.0, 50.0], &[Vec3::X, Vec3::Z, Vec3::Y]));
-        let forms =
-            [1000.0, 200.5, 200.0, 101.0, 99.0, 51.0, 21.0].map(|width| ladder.form(width, || Vec3::X));
-        assert_eq!(forms, [7, 7, 8, 8, 9, 9, 10]);
-        let toward = [Vec3::new(0.9, 0.2, 0.1), Vec3::new(0.3, 0.2, 0.7), Vec3::Y, Vec3::NEG_X];
-        let sides = toward.map(|toward| ladder.form(3.0, || toward) - 7);
-        assert_eq!(sides[..3], [4, 5, 6]);
-        assert!((5..=6).contains(&sides[3]), "whichever is not opposite");
-        assert_eq!(Ladder::new(3, &individual(&[], &[])).form(1.0, || Vec3::X), 3);
-    }
-
-    #[test]
-    fn elements_are_ordered_by_their_buckets_and_stay_in_order_within_them() {
-        let (order, ends) = ordered(&[2, 0, 2, 4, 0, 2], 5);
-        assert_eq!(order, [1, 4, 0, 2, 5, 3]);
-        assert_eq!(ends, [2, 2, 5, 5, 6]);
-        assert_eq!(ordered(&[], 2), (vec![], vec![0, 0]));
-    }
 }

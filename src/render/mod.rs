@@ -17,7 +17,7 @@
 //! | `present` | `present.wgsl` | a finished picture into the texture that the window shows |
 //!
 //! `copies` are the shapes of which there are many, drawn with `placement.wgsl`; `crowd` are the plants of a garden, each as fine as its
-//! size in the picture asks for (`sight`), `shape` is what both have on the GPU. `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
+//! size in the picture asks for (`crowd_choice`, `sight`), `shape` is what both have on the GPU. `full_screen` is what passes over all of a texture have in common, `uniform` a block of numbers for one pass.
 //!
 //! [`camera`], [`orbit`] and `light` are the mathematics of view and light and know no GPU; `studio` holds every number that
 //! decides the look. [`viewport`] is a live view for the window: `resident` keeps a changing model on the GPU, in `pool`s
@@ -37,6 +37,7 @@ mod arena;
 mod copies;
 mod corner;
 mod crowd;
+mod crowd_choice;
 mod debug;
 mod drawn;
 mod frame;
@@ -67,6 +68,7 @@ mod uniform;
 pub use crate::picture::decode;
 pub use camera::{Direction, Projection, View};
 pub use canvas::{CanvasLayer, CanvasView};
+pub use crowd_choice::CrowdChoice;
 pub use error::RenderError;
 pub use gpu::Gpu;
 pub(crate) use gpu::{MEMORY_HINTS, limits as device_limits};
@@ -78,4 +80,5 @@ pub use overlay::Spot;
 pub use rendered_image::RenderedImage;
 pub use renderer::{ModelDrawData, PictureOptions, Renderer};
 pub use resident::UploadStats;
+pub use sight::Sight;
 pub use viewport::{ShownPicture, Viewport};

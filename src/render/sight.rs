@@ -3,13 +3,14 @@
 //! Turning the camera changes no width, so that a plant does not change its form while one looks around.
 
 use super::camera::Camera;
+use super::orbit::OrbitCamera;
 use glam::{Vec3, Vec4, Vec4Swizzles as _};
 
 /// Nearer than this share of a sphere's radius its width grows no more.
 const NEAREST: f32 = 0.1;
 
 /// A camera that takes pictures of some height.
-pub(super) struct Sight {
+pub struct Sight {
     /// Left, right, lower, upper and near side of what is seen: the distances of a point inside of them are above 0.
     sides: [Vec4; 5],
     /// Position with w = 1, or direction to the viewer with w = 0.
@@ -19,6 +20,11 @@ pub(super) struct Sight {
 }
 
 impl Sight {
+    /// A camera around something in this box, which takes pictures of so many pixels in width and height.
+    pub fn of(camera: &OrbitCamera, bounds: (Vec3, Vec3), [width, height]: [u32; 2]) -> Self {
+        Self::new(&camera.camera(bounds, width as f32 / height.max(1) as f32), height)
+    }
+
     /// A camera that takes pictures of so many pixels in height.
     pub(super) fn new(camera: &Camera, height: u32) -> Self {
         let rows = camera.clip_from_world.transpose();
@@ -55,7 +61,6 @@ impl Sight {
 
 #[cfg(test)]
 mod tests {
-    use super::super::OrbitCamera;
     use super::*;
     use glam::Vec2;
 
