@@ -7,7 +7,7 @@
 use super::clusters::{Cluster, extremes};
 use crate::geom::simple_loop::area;
 use crate::plant::{Plant, Shape};
-use glam::{Mat3, Vec2, Vec3};
+use glam::{Mat3, Vec2, Vec3, Vec3Swizzles as _};
 
 /// How much larger a card is than what it shows, share of its extent to each side: leaves are bent.
 const MARGIN: f32 = 0.04;
@@ -41,6 +41,8 @@ pub(super) struct Frame {
     axes: Mat3,
     low: Vec3,
     high: Vec3,
+    /// Where, across its axis, its cards cross one another.
+    crossing: Vec2,
 }
 
 impl Frame {
@@ -59,7 +61,11 @@ impl Frame {
     pub(super) fn upright(plant: &Plant) -> Option<Self> {
         let wood = plant.branches.iter().flat_map(|branch| branch.points.iter().copied());
         let organs = plant.organs.iter().flat_map(|organ| extremes(plant, organ));
-        Self::around(Vec3::ZERO, Mat3::IDENTITY, wood.chain(organs))
+        let around = Self::around(Vec3::ZERO, Mat3::IDENTITY, wood.chain(organs))?;
+        // The trunk is in both pictures: they cross where it stands, so that it is not seen twice.
+        let trunk = plant.branches.first().map_or(around.crossing, |trunk| trunk.points[0].xz());
+        let (low, high) = (around.low.xz(), around.high.xz());
+        Some(Self { crossing: trunk.clamp(low, high), ..around })
     }
 
     /// The same box for other points.
@@ -73,19 +79,21 @@ impl Frame {
             points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
         let margin = ((high - low) * MARGIN).max(Vec3::splat(THINNEST * (high.y - low.y)));
         let is_sound = (high - low).is_finite() && high.y - low.y > 0.0;
-        is_sound.then_some(Self { foot, axes, low: low - margin, high: high + margin })
+        let crossing = low.midpoint(high).xz();
+        is_sound.then_some(Self { foot, axes, low: low - margin, high: high + margin, crossing })
     }
 
     /// The box of another cluster at the place of this one, so much larger or smaller that its wide side has the area of this one's.
     pub(super) fn of_shape(&self, other: &Self) -> Self {
         let area = |frame: &Self| (frame.high - frame.low).truncate().element_product();
         let scale = (area(self) / area(other)).sqrt().clamp(1.0 / MOST_SCALED, MOST_SCALED);
-        Self { foot: self.foot, axes: self.axes, low: other.low * scale, high: other.high * scale }
+        let (low, high, crossing) = (other.low * scale, other.high * scale, other.crossing * scale);
+        Self { foot: self.foot, axes: self.axes, low, high, crossing }
     }
 
     /// Every number of it.
     pub(super) fn bits(&self) -> [u32; 18] {
-        let Self { foot, axes, low, high } = self;
+        let Self { foot, axes, low, high, crossing: _ } = self;
         let rows = [*foot, axes.x_axis, axes.y_axis, axes.z_axis, *low, *high];
         std::array::from_fn(|i| rows[i / 3][i % 3].to_bits())
     }
@@ -100,10 +108,11 @@ impl Frame {
     pub(super) fn card(&self, side: Side) -> (Vec3, Vec3, Vec3) {
         let (Mat3 { x_axis, y_axis, z_axis }, extent) = (self.axes, self.high - self.low);
         let middle = 0.5 * (self.low + self.high);
-        let base = self.foot + self.axes * Vec3::new(middle.x, self.low.y, middle.z);
+        let base = |x: f32, z: f32| self.foot + self.axes * Vec3::new(x, self.low.y, z);
+        let up = y_axis * extent.y;
         match side {
-            Side::Wide => (base, x_axis * extent.x, y_axis * extent.y),
-            Side::Narrow => (base, z_axis * extent.z, y_axis * extent.y),
+            Side::Wide => (base(middle.x, self.crossing.y), x_axis * extent.x, up),
+            Side::Narrow => (base(self.crossing.x, middle.z), z_axis * extent.z, up),
         }
     }
 }

@@ -15,12 +15,17 @@ const FRUIT: [(f32, f32); 7] =
 /// Height of a fruit in radii.
 const FRUIT_HEIGHT: f32 = 2.2;
 
+/// How the back of a receptacle swells to its rim: shares of the receptacle's radius and of the depth.
+const BACK: [(f32, f32); 6] = [(0.0, 0.0), (0.3, 0.04), (0.72, 0.35), (1.0, 0.75), (1.08, 1.0), (0.0, 1.0)];
+/// How deep it is, in radii.
+const BACK_DEPTH: f32 = 0.4;
+
 /// The plant of a figure, and its flower buds.
 pub(super) fn plant_of(figure: &Figure, species: &Species) -> (Plant, FlowerBuds) {
     let mut plant = Plant { branches: branches(figure), ..Plant::default() };
     let leaves = figure.items.iter().filter(|item| matches!(&*item.name, "leaf" | "bract")).count();
     let template = stem_leaves::template(&mut plant, species, leaves);
-    plant.organs = figure.items.iter().filter_map(|item| organ(item, template)).collect();
+    plant.organs = figure.items.iter().flat_map(|item| organs(item, template)).collect();
     plant.drop_unused_templates();
     let looks = species.looks_of_florets();
     let buds = figure.items.iter().filter_map(|item| bud(item, &looks)).collect();
@@ -57,11 +62,34 @@ fn bud(item: &Item, looks: &[usize]) -> Option<FlowerBud> {
     })
 }
 
-fn organ(item: &Item, template: TemplateId) -> Option<Organ> {
+/// What an item is: one organ, of a receptacle also its green back; nothing where its name or size says nothing.
+fn organs(item: &Item, template: TemplateId) -> impl Iterator<Item = Organ> {
+    let organ = |(part, shape)| Organ {
+        role: Role::of(part),
+        origin: Origin::Generated,
+        branch: item.stem,
+        flower: None,
+        shape,
+    };
+    shape(item, template).into_iter().chain(back(item)).map(organ)
+}
+
+/// The back of a receptacle, which swells from the stalk to beyond the rim, where bracts and rays begin.
+fn back(item: &Item) -> Option<(OrganPart, Shape)> {
+    let radius = *item.args.first()? * item.scale;
+    let shape = || {
+        let profile = BACK.map(|(r, h)| radius * Vec2::new(r, BACK_DEPTH * h)).to_vec();
+        let base = item.origin - item.heading * (BACK_DEPTH * radius);
+        (OrganPart::Cup, Shape::Lathe { base, axis: item.heading, profile })
+    };
+    (&*item.name == "receptacle" && radius > 0.0).then(shape)
+}
+
+fn shape(item: &Item, template: TemplateId) -> Option<(OrganPart, Shape)> {
     let size = |k: usize| item.args.get(k).map_or(0.0, |size| size * item.scale);
     let (base, axis) = (item.origin, item.heading);
     let lathe = |profile: Vec<Vec2>| Shape::Lathe { base, axis, profile };
-    let (part, shape) = match &*item.name {
+    Some(match &*item.name {
         "leaf" | "bract" if size(0) > 0.0 => {
             let (u, v) = (-item.left * size(0), item.heading * size(0));
             let (rest, form) = (RestSurface::Plane, BladeForm::default());
@@ -81,6 +109,5 @@ fn organ(item: &Item, template: TemplateId) -> Option<Organ> {
             (OrganPart::Fruit, lathe(profile.map(Vec2::from).to_vec()))
         }
         _ => return None,
-    };
-    Some(Organ { role: Role::of(part), origin: Origin::Generated, branch: item.stem, flower: None, shape })
+    })
 }

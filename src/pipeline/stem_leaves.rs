@@ -1,14 +1,14 @@
 //! Leaves on the stems of a plant that is made without a drawing, where its species says that they bear some.
 
-use crate::leaf::StemLeaves;
+use crate::leaf::{Compound, StemLeaves};
 use crate::plant::{
     Blade, BladeForm, Detail, Organ, OrganPart, Origin, Plant, RestSurface, Role, Shape, Template, TemplateId,
 };
 use crate::random::mix;
 use crate::species::Species;
 
-/// Leaves from which on they are of reduced detail.
-const MANY_LEAVES: usize = 60;
+/// Leaves and leaflets from which on they are of reduced detail.
+const MANY_LEAVES: f32 = 60.0;
 
 /// Adds the leaves of all stems from the ground, behind the organs that the plant has. The rosette is that of the first stem.
 pub(super) fn grow(plant: &mut Plant, leaves: &StemLeaves, species: &Species, seed: u64) {
@@ -40,7 +40,8 @@ pub(super) fn grow(plant: &mut Plant, leaves: &StemLeaves, species: &Species, se
 
 /// The outline of a species' leaves, of which a plant has so many.
 pub(super) fn template(plant: &mut Plant, species: &Species, leaves: usize) -> TemplateId {
-    let is_rich = leaves > MANY_LEAVES || species.leaf.compound.is_some();
+    let leaflets = species.leaf.compound.as_ref().map_or(1.0, Compound::mean_count);
+    let is_rich = leaves as f32 * leaflets > MANY_LEAVES;
     let detail = if is_rich { Detail::Reduced } else { Detail::Moderate };
     plant.templates.add(Template::new(species.leaf.outline.points(), Vec::new(), 1.0, detail))
 }

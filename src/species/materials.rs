@@ -117,7 +117,10 @@ fn named(species: &Species, role: Role) -> (PlantPart, &str) {
     let of_organ = |part: OrganPart| match part {
         OrganPart::Petal => flower.map(|look| look.petals.materials.nth(role.variant)),
         OrganPart::Sepal => of_flower(|look| Some(&look.sepals.as_ref()?.material)),
-        OrganPart::Cup => of_flower(|look| Some(&look.cup.as_ref()?.material)),
+        OrganPart::Cup => {
+            let own = of_flower(|look| Some(&look.cup.as_ref()?.material));
+            own.or_else(|| of_flower(|look| Some(&look.sepals.as_ref()?.material)))
+        }
         OrganPart::Disc => of_flower(|look| Some(&look.disc.material)),
         OrganPart::Stamen => of_filaments(|look| &look.stamens).map(FilamentLook::material),
         OrganPart::Anther => of_filaments(|look| &look.stamens).map(FilamentLook::head_material),

@@ -15,6 +15,10 @@ const MOST_FILAMENTS: usize = 1500;
 const MANY_FLOWERS: usize = 60;
 /// How much wider a cup along the stem is than the stem.
 const AROUND_STEM: f32 = 1.15;
+/// How deep the receptacle of a full flower reaches behind its outermost petals, in its radii.
+const DEPTH: f32 = 0.6;
+/// Its width where petals begin, as a share of where these do: they end at it, and do not pass through it.
+const WITHIN: f32 = 0.92;
 /// How far at most a leaning cup moves down the stem, in radii.
 const LARGEST_SINK: f32 = 0.6;
 
@@ -74,10 +78,13 @@ pub(super) fn flower_centre(
     if plant.flowers.len() >= MANY_FLOWERS {
         return out;
     }
-    if let Some(cup_look) = &look.cup {
-        let shape = cup(cup_look, &behind, stem_end(plant, flower));
-        out.extend(shape.map(|shape| organ(OrganPart::Cup, 0, shape)));
-    }
+    let stem = stem_end(plant, flower);
+    let below = match (&look.cup, &petals.full) {
+        (Some(look), _) => cup(look, &behind, stem),
+        (None, Some(full)) => body(full, &seat, stem),
+        (None, None) => None,
+    };
+    out.extend(below.map(|shape| organ(OrganPart::Cup, 0, shape)));
     if let Some(sepal_look) = &look.sepals {
         let blades = sepals(sepal_look, &behind, petals.count, &look.petals.form, templates);
         out.extend(blades.into_iter().map(|blade| organ(OrganPart::Sepal, 0, Shape::Blade(blade))));
@@ -90,6 +97,30 @@ fn stem_end(plant: &Plant, flower: usize) -> Option<(Vec3, f32)> {
     let branch = &plant.branches[plant.flowers[flower].branch?];
     let [.., before, last] = branch.points.as_slice() else { return None };
     Some(((last - before).try_normalize()?, *branch.radii.last()?))
+}
+
+/// What the layers of a full flower stand on: a solid of revolution that swells from the stem to the outermost petals, whose feet
+/// lie on a cone from there up to the disc.
+fn body(full: &FullSeat, disc: &Seat, stem: Option<(Vec3, f32)>) -> Option<Shape> {
+    let neck = stem.map_or(0.0, |(_, radius)| radius * AROUND_STEM);
+    let widest = (WITHIN * full.receptacle.max(full.core)).max(neck);
+    let rise = (disc.apex - full.base).dot(disc.axis).max(0.0);
+    let depth = DEPTH * widest;
+    if widest <= 0.0 {
+        return None;
+    }
+    let below = |r: f32, h: f32| Vec2::new(neck + (widest - neck) * r, depth * h);
+    let top = depth + (WITHIN * rise).max(0.02 * depth);
+    let profile = vec![
+        Vec2::ZERO,
+        below(0.0, 0.02),
+        below(0.45, 0.2),
+        below(0.85, 0.6),
+        below(1.0, 1.0),
+        Vec2::new((WITHIN * full.core).clamp(0.1 * widest, 0.98 * widest), top),
+        Vec2::new(0.0, top),
+    ];
+    Some(Shape::Lathe { base: full.base - disc.axis * depth, axis: disc.axis, profile })
 }
 
 /// Solid of revolution that swells from the stem to the petals.
