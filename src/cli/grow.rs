@@ -37,7 +37,7 @@ pub struct Args {
     pub obstacle: Vec<String>,
     /// Age in years, 12.5 for half a year more than 12. Left out, it is the species' own, or with --inside or --lobes when the
     /// volume is full.
-    #[arg(long, value_name = "YEARS")]
+    #[arg(long, value_name = "YEARS", allow_negative_numbers = true)]
     pub age: Option<f32>,
     /// The plant at this many ages, evenly up to --age, each in a file with a number before the ending: an animation. With
     /// --over year, and for roses, at as many times of one year.

@@ -1,6 +1,6 @@
 //! Branches are cut off a plant, with all that stands on them: by a pruning brush, and by the artist's hand.
 
-use super::{Branch, FlowerBuds, OrganKind, Plant};
+use super::{Branch, FlowerBuds, Organ, OrganKind, Plant, Shape};
 use crate::geom::polyline;
 use glam::Vec3;
 
@@ -30,15 +30,18 @@ impl Plant {
         }
     }
 
-    /// Cuts branches, and takes away what stands on what is cut off, and leaves, flowers and buds at places that do not `stay` besides;
-    /// whether that is anything. A pot stays whatever is cut.
+    /// Cuts branches, and takes away what stands on what is cut off, and leaves, petals, flowers and buds that begin
+    /// or have their middle at places that do not `stay` besides; whether that is anything. A pot stays whatever is cut.
     pub fn cut(&mut self, buds: &mut FlowerBuds, cuts: &[Cut], stay: impl Fn(Vec3) -> bool) -> bool {
         let stays = |branch: Option<usize>, at: Vec3| stay(at) && self.is_held(cuts, branch, at);
         let flowers: Vec<bool> =
             self.flowers.iter().map(|flower| stays(flower.branch, flower.cone.apex)).collect();
         let organs = self.organs.iter().map(|organ| match organ.flower {
-            Some(flower) => flowers[flower],
-            None => organ.kind() == OrganKind::Pot || stays(organ.branch, organ.base()),
+            Some(flower) => flowers[flower] && stay(self.middle(organ)),
+            None => {
+                let is_pot = organ.kind() == OrganKind::Pot;
+                is_pot || stays(organ.branch, organ.base()) && stay(self.middle(organ))
+            }
         });
         let organs: Vec<bool> = organs.collect();
         let of_buds: Vec<bool> = buds.buds.iter().map(|bud| stays(bud.branch, bud.base)).collect();
@@ -64,6 +67,14 @@ impl Plant {
 }
 
 impl Plant {
+    /// The middle of a blade; where other organs begin.
+    fn middle(&self, organ: &Organ) -> Vec3 {
+        match &organ.shape {
+            Shape::Blade(blade) => blade.base.midpoint(self.templates.resolve(blade).tip_at_rest()),
+            _ => organ.base(),
+        }
+    }
+
     /// Takes away the organs and flowers that do not stay; the organs of such a flower are to be among them.
     pub fn keep_organs(&mut self, organs: &[bool], flowers: &[bool]) {
         retain(&mut self.organs, organs);

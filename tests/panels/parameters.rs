@@ -90,7 +90,9 @@ fn every_value_that_a_rail_gives_is_accepted_by_the_pipeline() {
     let mut moved = 0;
     for (text, found) in searches {
         let all = growing();
-        let params = all.params.clone().with_garden(true);
+        let mut params = all.params.clone().with_garden(true);
+        // A wall, so that its sizes mean something.
+        params.own.insert("obstacle.kind".to_owned(), 1.0);
         let mut harness = searched_in(Snapshot { params, ..all }, &text);
         for description in found {
             let label = english().param_name(&description.path);

@@ -112,7 +112,8 @@ pub(super) fn stage_of(
             let Stage { snapshot, messages, actions, canvas } = stage;
             *canvas = frame::show(ui, snapshot, messages, actions);
             let (canvas, plant) = canvas.split_left_right_at_fraction(0.5);
-            frame::overlays(ui, (canvas, plant), snapshot, messages, actions);
+            frame::plant_tools(ui, plant, snapshot, messages, actions);
+            frame::overlays(ui, canvas, snapshot, messages, actions);
         },
         state,
     );

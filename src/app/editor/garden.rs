@@ -78,7 +78,7 @@ impl Editor {
         width.map_or(GardenBrush::default().radius, |width| (width * 20.0).round() / 20.0).clamp(least, most)
     }
 
-    /// What the card over the plant shows.
+    /// What the bar below the plant shows.
     pub(super) fn garden_state(&self) -> GardenState {
         let plants = self.built().and_then(|built| Some(built.garden.as_ref()?.places.len()));
         let (usual_radius, brush) = (self.usual_garden_radius(), self.garden.brush.clone());

@@ -27,6 +27,8 @@ impl Editor {
         let room = frame::show(ui, &snapshot, self.prefs.messages(), &mut actions);
         let before = self.layout;
         let divider = self.divide(ui, room);
+        self.layout.plant =
+            frame::plant_tools(ui, self.layout.plant, &snapshot, self.prefs.messages(), &mut actions);
         self.layout.pixels_per_point = f64::from(ui.ctx().pixels_per_point());
         if self.layout.canvas != before.canvas || self.layout.plant != before.plant {
             self.log_layout();
@@ -47,8 +49,7 @@ impl Editor {
         let over_plant = ui.ctx().pointer_hover_pos().filter(|at| self.layout.plant.contains(*at));
         self.hover_in_space(over_plant);
         self.paint_in_space(&painter, palette);
-        let sides = (self.layout.canvas, self.layout.plant);
-        frame::overlays(ui, sides, &snapshot, self.prefs.messages(), &mut actions);
+        frame::overlays(ui, self.layout.canvas, &snapshot, self.prefs.messages(), &mut actions);
         self.paint_pointed_reading(ui);
         for action in actions {
             self.perform(action);

@@ -17,6 +17,9 @@ impl Editor {
             self.perform(action);
             return true;
         }
+        if key == Key::Escape && pressed && self.escape_from_plant_tools() {
+            return true;
+        }
         if let Some(canvas_key) = canvas_key(key) {
             // A held key repeats its press; the canvas gets it once.
             if !repeat {
@@ -37,6 +40,18 @@ impl Editor {
             self.perform(action);
         }
         known
+    }
+
+    /// Lays the tool of the plant's view down unless something on the canvas, or a dialog, is to be left first; whether there was one.
+    fn escape_from_plant_tools(&mut self) -> bool {
+        let leaves = self.has_plant_tool()
+            && !self.dialogs.is_open()
+            && self.canvas.selection().is_empty()
+            && self.canvas.growing().is_none();
+        if leaves {
+            self.lay_down_plant_tools();
+        }
+        leaves
     }
 
     /// Carries out what a key or a wheel of a tablet is set to; in a dialog they do nothing, like other keys.

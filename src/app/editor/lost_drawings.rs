@@ -77,7 +77,7 @@ impl LostDrawings {
             path: found.folder().to_owned(),
             name: name(&found.meta.title),
             strokes: found.strokes(),
-            when: ago(found.modified),
+            when: ago(found.modified, messages),
             thumbnail: self.picture_of(found.folder()),
         });
         (!self.found.is_empty()).then(|| Dialog::Recovery(recovered.collect()))
@@ -109,12 +109,14 @@ impl LostDrawings {
     }
 }
 
-/// How long ago something was, in hours or days.
-fn ago(then: SystemTime) -> String {
+/// How long ago something was, in minutes, hours or days.
+fn ago(then: SystemTime, messages: &Messages) -> String {
     let minutes = then.elapsed().unwrap_or_default().as_secs() / 60;
-    match minutes {
-        0..=59 => format!("{minutes} min"),
-        60..=2879 => format!("{} h", minutes / 60),
-        _ => format!("{} d", minutes / 1440),
-    }
+    let (msg, count) = match minutes {
+        0 => return messages.get(Msg::RecoveryNow).to_owned(),
+        1..=59 => (Msg::RecoveryMinutes, minutes),
+        60..=2879 => (Msg::RecoveryHours, minutes / 60),
+        _ => (Msg::RecoveryDays, minutes / 1440),
+    };
+    messages.fill(msg, &[("count", &count)])
 }

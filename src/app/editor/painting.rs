@@ -45,7 +45,7 @@ impl Editor {
         Action::TakeBrush((self.brush.tool != Some(tool)).then_some(tool))
     }
 
-    /// What the card over the plant shows.
+    /// What the bar below the plant shows.
     pub(super) fn brush_state(&self) -> BrushState {
         BrushState { tool: self.brush.tool, settings: self.brush.settings }
     }

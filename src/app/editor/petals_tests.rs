@@ -26,6 +26,7 @@ fn with_petal(home: &tempfile::TempDir) -> (Editor, egui::Context) {
     editor.perform(Action::ShapePetals(true));
     let petal = first_petal(&editor);
     editor.choose_petal(Some(Element::Organ(petal)));
+    frame(&mut editor, &egui);
     (editor, egui)
 }
 

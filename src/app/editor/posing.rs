@@ -58,6 +58,12 @@ impl Editor {
         }
     }
 
+    /// Whether a tool is in hand in the view of the plant.
+    pub(super) fn has_plant_tool(&self) -> bool {
+        let is_on = self.petals.is_on || self.space.is_on || self.posing.is_on || self.garden.is_on;
+        is_on || self.brush.tool.is_some()
+    }
+
     /// Lays down whichever tool is in hand in the view of the plant.
     pub(super) fn lay_down_plant_tools(&mut self) {
         (self.petals.is_on, self.space.is_on, self.posing.is_on) = (false, false, false);
@@ -69,7 +75,7 @@ impl Editor {
         self.space.stroke = None;
     }
 
-    /// What the card over the plant shows.
+    /// What the bar below the plant shows.
     pub(super) fn pose_state(&self) -> PoseState {
         let chosen = self.chosen_pose();
         let part = self.posing.last.filter(|_| self.posing.is_on).and_then(|name| self.posable(name));

@@ -33,6 +33,7 @@ fn any_pointer_turns_a_stem_with_all_that_is_on_it_as_one_step() {
         let (mut editor, egui) = with_sketch(&home, "balloon_flower");
         let before = editor.built().unwrap().clone();
         editor.key(egui::Key::J, egui::Modifiers::NONE, true, false);
+        frame(&mut editor, &egui);
         let camera = editor.plant.camera();
         let (from, grip) = drag_stem(&mut editor, tool, DVec2::new(60.0, 10.0));
         assert_eq!(editor.plant.camera(), camera, "{tool:?}: a branch is dragged, not the camera");

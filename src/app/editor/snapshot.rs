@@ -34,6 +34,7 @@ impl Editor {
             lacks_chinese_font: self.prefs.lack_chinese_font(),
             species: self.live.species_name(sketch),
             species_is_guess: sketch.species.is_none(),
+            blank: sketch.strokes.is_empty(),
             missing_species: self.missing_species(),
             textures: sketch.textures.clone(),
             seed: sketch.seed,

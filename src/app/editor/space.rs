@@ -33,7 +33,7 @@ impl Editor {
         }
     }
 
-    /// What the card over the plant shows.
+    /// What the bar below the plant shows.
     pub(super) fn space_state(&self) -> SpaceState {
         let can_lift = self.space.is_on && self.last_in_space().is_some();
         let surface = match self.space.surface {

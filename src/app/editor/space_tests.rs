@@ -39,6 +39,7 @@ fn any_pointer_draws_a_branch_on_the_wood_as_one_step() {
         let (mut editor, egui) = with_sketch(&home, "balloon_flower");
         let before = editor.built().unwrap().plant.branches.len();
         editor.key(egui::Key::W, egui::Modifiers::NONE, true, false);
+        frame(&mut editor, &egui);
         let (from, camera) = (on_stem(&editor, 0.4), editor.plant.camera());
         draw(&mut editor, tool, from, DVec2::new(90.0, -60.0));
         assert_eq!(editor.plant.camera(), camera, "{tool:?}: it draws, the camera stays");

@@ -36,9 +36,12 @@ pub(super) fn build(editor: &mut Editor) {
 /// Lays out a frame of the window.
 pub(super) fn frame(editor: &mut Editor, egui: &egui::Context) {
     let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
-    let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
-    let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
-    output.textures_delta.clear();
+    // The bar below the plant has its height from the frame before.
+    for _ in 0..2 {
+        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
+        let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
+        output.textures_delta.clear();
+    }
 }
 
 /// One event of a pointer over the plant.

@@ -1,4 +1,4 @@
-//! The brushes, as the card over the plant shows them: which is in hand, and its size, density and guide.
+//! The brushes, as the bar below the plant shows them: which is in hand, and its size, density and guide.
 
 use super::icons::Icon;
 use super::rail;

@@ -64,7 +64,7 @@ fn title(dialog: &Dialog) -> Msg {
         Dialog::PlantSpecies(Some(_)) => Msg::BesideChangeTitle,
         Dialog::GardenSpecies => Msg::GardenSpeciesTitle,
         Dialog::Pen => Msg::PenTitle,
-        Dialog::About => Msg::AboutTitle,
+        Dialog::About => Msg::AboutHelp,
         Dialog::Path(request) => match request.purpose {
             PathPurpose::OpenDrawing => Msg::PathOpenTitle,
             PathPurpose::SaveDrawing => Msg::PathSaveTitle,

@@ -99,16 +99,21 @@ fn side(ui: &mut Ui, right_handed: bool, snapshot: &Snapshot, messages: &Message
     }
 }
 
-/// Shows what floats above canvas and plant: the tools of the plant, legend, part menu, what can be done with a selection, notices, dialogs.
-///
-/// `canvas` and `plant` are where the drawing and the plant are shown, in logical pixels.
-pub fn overlays(
-    ui: &Ui,
-    (canvas, plant): (Rect, Rect),
+/// Shows the tools of the plant at the lower edge of its view and returns what is left for its picture.
+pub fn plant_tools(
+    ui: &mut Ui,
+    view: Rect,
     snapshot: &Snapshot,
     messages: &Messages,
     out: &mut Vec<Action>,
-) {
+) -> Rect {
+    plant_tools::show(ui, view, snapshot, messages, out)
+}
+
+/// Shows what floats above the canvas: legend, part menu, what can be done with a selection, notices, dialogs.
+///
+/// `canvas` is where the drawing is shown, in logical pixels.
+pub fn overlays(ui: &Ui, canvas: Rect, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
     let ctx = ui.ctx();
     let (corner, pivot) = match snapshot.handedness {
         Handedness::Right => (canvas.left_bottom() + vec2(12.0, -12.0), Align2::LEFT_BOTTOM),
@@ -120,7 +125,6 @@ pub fn overlays(
         .pivot(pivot)
         .interactable(false);
     area.show(ctx, |ui| legend::show(ui, snapshot, messages));
-    plant_tools::show(ctx, plant, snapshot, messages, out);
     readings::show(ctx, canvas, snapshot, messages, out);
     part_menu::selection(ctx, canvas, snapshot, messages, out);
     part_menu::show(ctx, canvas, snapshot, messages, out);

@@ -1,4 +1,4 @@
-//! The tool that paints a garden on the ground, as the card over the plant shows it: what the brush paints, of which species, how wide
+//! The tool that paints a garden on the ground, as the bar below the plant shows it: what the brush paints, of which species, how wide
 //! and how densely.
 
 use super::icons::Icon;
@@ -11,8 +11,6 @@ use crate::app::messages::{Messages, Msg, Named};
 use crate::sketch::{BRUSH_DENSITIES, GardenPlant};
 use egui::Ui;
 
-/// Width of the card with this tool, logical pixels, where there is room.
-pub(super) const WIDTH: f32 = 380.0;
 /// Width from which sliders stand side by side.
 const SIDE_BY_SIDE: f32 = 340.0;
 
@@ -47,23 +45,21 @@ fn walk_button(ui: &mut Ui, walks: bool, messages: &Messages, out: &mut Vec<Acti
 
 /// What its brush paints, and the walk through what was painted.
 pub(super) fn options(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<Action>) {
-    let state = &snapshot.garden;
-    ui.horizontal(|ui| {
-        walk_button(ui, snapshot.view.walking, messages, out);
-        for (kind, icon, name, hint) in KINDS {
-            let name = messages.get(name);
-            let button = IconButton::new(icon, name).hint(format!("{name}\n{}", messages.get(hint)));
-            if button.chosen(state.brush.kind == kind).show(ui).clicked() {
-                out.push(Action::SetGardenBrush(GardenBrush { kind, ..state.brush.clone() }));
-            }
+    let (state, walks) = (&snapshot.garden, snapshot.view.walking);
+    walk_button(ui, walks, messages, out);
+    for (kind, icon, name, hint) in KINDS {
+        let name = messages.get(name);
+        let button = IconButton::new(icon, name).hint(format!("{name}\n{}", messages.get(hint)));
+        if button.chosen(state.brush.kind == kind && !walks).show(ui).clicked() {
+            out.push(Action::SetGardenBrush(GardenBrush { kind, ..state.brush.clone() }));
         }
-        if state.brush.kind == GardenBrushKind::Plants {
-            let label = named(&state.brush.plant, messages);
-            if text_button(ui, Some(Icon::Plant), &label, false).clicked() {
-                out.push(Action::ShowDialog(Dialog::GardenSpecies));
-            }
+    }
+    if state.brush.kind == GardenBrushKind::Plants {
+        let label = named(&state.brush.plant, messages);
+        if text_button(ui, Some(Icon::Plant), &label, false).clicked() {
+            out.push(Action::ShowDialog(Dialog::GardenSpecies));
         }
-    });
+    }
 }
 
 /// How the brush is set, side by side: what of its settings means anything.

@@ -35,7 +35,7 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             let rail = Rail { label, text: &text, scale, value, reset };
             out.extend(rail.set(ui, YEARS));
         });
-        if !growth.crown {
+        if !(growth.crown || snapshot.found.crowns) {
             note(ui, messages.get(Msg::GrowthHint));
         }
     });

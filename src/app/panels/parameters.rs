@@ -69,7 +69,9 @@ fn known() -> &'static [Description] {
     KNOWN.get_or_init(|| {
         let mut all = Params::of_any_species().describe();
         let place = |d: &Description| ORDER.iter().position(|group| *group == group_of(&d.path));
-        all.sort_by_key(|d| place(d).unwrap_or(ORDER.len()));
+        // What is to be chosen decides what the numbers below it mean.
+        let is_number = |d: &Description| !matches!(d.kind, Kind::Choice(_));
+        all.sort_by_key(|d| (place(d).unwrap_or(ORDER.len()), is_number(d)));
         all
     })
 }
@@ -99,7 +101,8 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
             if group == "habit" && snapshot.growth.is_some_and(|growth| growth.crown) {
                 note(ui, messages.get(Msg::ParamsInCrown));
             }
-            these.iter().for_each(|one| row(ui, one, snapshot, messages, out));
+            let these = these.iter().filter(|one| snapshot.params.applies(&one.path));
+            these.for_each(|one| row(ui, one, snapshot, messages, out));
             ui.add_space(6.0);
         });
     }

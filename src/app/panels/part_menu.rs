@@ -31,7 +31,7 @@ const EDITS: [(Icon, Msg, &str, Action); 7] = [
     (Icon::Paste, Msg::EditPaste, "Ctrl+V", Action::Paste),
     (Icon::Delete, Msg::EditDelete, "Del", Action::DeleteSelected),
 ];
-/// Distance from the place that was tapped.
+/// Distance from the place that was tapped, and from the sides of the canvas.
 const BESIDE: f32 = 18.0;
 
 /// The menu beside a stroke, inside `canvas`.
@@ -117,9 +117,10 @@ pub fn selection(
         Area::new(Id::unique("selection")).order(Order::Middle).pivot(Align2::CENTER_BOTTOM).fixed_pos(at);
     area.constrain_to(canvas).show(ctx, |ui| {
         card(ui).show(ui, |ui| {
+            ui.set_max_width(canvas.width() - 2.0 * BESIDE);
             note(ui, &messages.fill(Msg::PartSelected, &[("count", &snapshot.selected)]));
             ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 for (tool, icon, name) in PARTS {
                     let mut button = IconButton::new(icon, messages.get(name));
                     if tool != Tool::Auto {
@@ -130,7 +131,7 @@ pub fn selection(
                     }
                 }
             });
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 for (icon, name, keys, action) in EDITS {
                     let name = messages.get(name);
                     let mut button = IconButton::new(icon, name).hint(format!("{name} ({keys})"));

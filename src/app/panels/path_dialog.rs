@@ -15,6 +15,8 @@ use super::widgets::{IconButton, menu_line, note, palette, text_button};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{Align2, CompletionPopup, Id, Key, Margin, RectAlign, Response, ScrollArea, Suggestion, TextEdit};
 use egui::{Ui, vec2};
 use folder::{Folder, Refusal, Target};
@@ -253,8 +255,15 @@ fn text_field<'a>(text: &'a mut String, hint: &'a str) -> TextEdit<'a> {
 
 /// The name of a file to write; whether Enter was pressed in it.
 fn name_field(ui: &mut Ui, looking: &mut Looking, messages: &Messages) -> bool {
+    let end = CCursor::new(looking.name.chars().count());
     let field = text_field(&mut looking.name, messages.get(Msg::PathName));
     let response = ui.add_sized(vec2(ui.available_width(), TARGET), field);
+    if response.gained_focus() {
+        // Whoever types another name types it in place of the offered one.
+        let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+        state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+        state.store(ui.ctx(), response.id);
+    }
     if response.changed() {
         looking.forget();
     }

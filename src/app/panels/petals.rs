@@ -1,4 +1,4 @@
-//! The tool that shapes petals: its part of the card over the plant, and numbers of the point that was touched last on the side.
+//! The tool that shapes petals: its part of the bar below the plant, and numbers of the point that was touched last on the side.
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale};

@@ -1,4 +1,4 @@
-//! The tool that turns, bends and moves parts of the plant, as the card over the plant shows it.
+//! The tool that turns, bends and moves parts of the plant, as the bar below the plant shows it.
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale};
@@ -49,7 +49,11 @@ pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
 
 /// How thick or large the part that was held last is.
 pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
-    let Some(size) = state.size.filter(|_| state.on) else { return };
+    if !state.on {
+        return;
+    }
+    // Without a part, too, so that the picture above stays where it is when one is tapped.
+    let size = state.size.unwrap_or(1.0);
     let text = format!("{:.0} %", size * 100.0);
     let (min, max) = THICKNESSES.into_inner();
     let rail = Rail {
@@ -60,7 +64,8 @@ pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &m
         reset: (size != 1.0).then(|| messages.get(Msg::PoseReset)),
     };
     let room = ui.available_width();
-    out.extend(rail.show(ui, room).1.map(|change| match change {
+    let change = ui.add_enabled_ui(state.size.is_some(), |ui| rail.show(ui, room).1).inner;
+    out.extend(change.map(|change| match change {
         RailChange::To(value) => Action::SizePart(value as f32),
         RailChange::Reset => Action::SizePart(1.0),
     }));

@@ -1,4 +1,4 @@
-//! The tool that draws branches in space, as the card over the plant shows it: the tool, and the surface that it draws on.
+//! The tool that draws branches in space, as the bar below the plant shows it: the tool, and the surface that it draws on.
 
 use super::icons::Icon;
 use super::snapshot::SpaceState;

@@ -45,14 +45,16 @@ fn current(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec<
         None => messages.name(Named::Species, species),
     };
     let (who, label, action) = if snapshot.species_is_guess {
-        (Msg::SpeciesGuessed, Msg::SpeciesKeep, Action::SetSpecies(species.clone()))
+        let who = if snapshot.blank { Msg::SpeciesNotYet } else { Msg::SpeciesGuessed };
+        (who, Msg::SpeciesKeep, Action::SetSpecies(species.clone()))
     } else {
         (Msg::SpeciesChosen, Msg::SpeciesGuess, Action::GuessSpecies)
     };
     let p = palette(ui);
     let row = vec2(ui.available_width(), CURRENT);
     ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
-        if text_button(ui, None, messages.get(label), false).clicked() {
+        let is_needed = !(snapshot.blank && snapshot.species_is_guess);
+        if is_needed && text_button(ui, None, messages.get(label), false).clicked() {
             out.push(action);
         }
         let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), CURRENT), Sense::hover());

@@ -11,7 +11,8 @@ use crate::app::settings::{Handedness, ThemeChoice};
 use crate::app::stabiliser::Stabiliser;
 use crate::app::theme::{TARGET, TOOL};
 use crate::sketch::Tool;
-use egui::{Align, Align2, Key, Layout, Popup, PopupCloseBehavior, Rect, ScrollArea, TextStyle, Ui, vec2};
+use egui::text::{LayoutJob, TextWrapping};
+use egui::{Align, Key, Layout, Popup, PopupCloseBehavior, Rect, ScrollArea, TextStyle, Ui, pos2, vec2};
 
 /// A tool as the strip shows it.
 pub struct ToolEntry {
@@ -180,18 +181,29 @@ fn side_button(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut 
     }
 }
 
-/// The drawing's name in the middle of the bar, with a dot while there are changes that its file does not have.
+/// Room for the dot behind the drawing's name.
+const DOT: f32 = 14.0;
+
+/// The drawing's name in the middle of the bar, shortened where there is no room for all of it, with a dot while there are changes that its file does not have.
 fn title(ui: &Ui, snapshot: &Snapshot, messages: &Messages, bar: Rect, left: f32) {
     let name = snapshot.name.as_deref().unwrap_or(messages.get(Msg::AppUntitled));
     let p = palette(ui);
     let free =
         Rect::from_x_y_ranges((left + 12.0)..=(ui.cursor().right() - 12.0).max(left + 12.0), bar.y_range());
-    let painter = ui.painter().with_clip_rect(free);
-    let font = TextStyle::Body.resolve(ui.style());
-    let at = egui::pos2(bar.center().x.clamp(free.left(), free.right().max(free.left())), bar.center().y);
-    let rect = painter.text(at, Align2::CENTER_CENTER, name, font, p.text);
+    let room = free.width() - DOT;
+    if room <= 0.0 {
+        return;
+    }
+    let mut line = LayoutJob::simple_singleline(name.to_owned(), TextStyle::Body.resolve(ui.style()), p.text);
+    line.wrap = TextWrapping::truncate_at_width(room);
+    let line = ui.painter().layout_job(line);
+    let half = line.size() / 2.0;
+    // In the middle of the bar, or as near to it as there is room.
+    let middle = bar.center().x.clamp(free.left() + half.x, free.right() - DOT - half.x);
+    let rect = Rect::from_center_size(pos2(middle, bar.center().y), line.size());
+    ui.painter().galley(rect.min, line, p.text);
     if snapshot.unsaved {
-        painter.circle_filled(rect.right_center() + vec2(9.0, 1.0), 3.0, p.accent);
+        ui.painter().circle_filled(rect.right_center() + vec2(9.0, 1.0), 3.0, p.accent);
     }
 }
 

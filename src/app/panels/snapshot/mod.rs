@@ -73,6 +73,8 @@ pub struct Snapshot {
     pub species: String,
     /// Whether the species is a guess from what is drawn.
     pub species_is_guess: bool,
+    /// Whether nothing is drawn.
+    pub blank: bool,
     /// The name of the species file that the drawing names, if it is missing.
     pub missing_species: Option<String>,
     /// Textures that the artist chose, by kind of part (`branch`, `leaf`, …).

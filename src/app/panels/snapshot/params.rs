@@ -10,6 +10,9 @@ use std::sync::OnceLock;
 /// What every path of a growth habit begins with.
 const HABIT: &str = "habit";
 
+/// What stands behind a plant: at first nothing.
+const OBSTACLE: &str = "obstacle.kind";
+
 /// Values of parameters by path, where they are not the program's defaults.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParamValues {
@@ -46,8 +49,13 @@ impl ParamValues {
         Self { has_garden, ..self }
     }
 
-    /// Whether a parameter means something for this plant: growth habits are those of plants that grow.
+    /// Whether a parameter means something for this plant: growth habits are those of plants that grow, an obstacle's sizes those of
+    /// one that is there.
     pub fn applies(&self, path: &str) -> bool {
+        if path.starts_with("obstacle.") && path != OBSTACLE {
+            let kind = self.own.get(OBSTACLE).or(self.species.get(OBSTACLE));
+            return kind.is_some_and(|kind| *kind != 0.0);
+        }
         let of_habit = path.strip_prefix(HABIT).is_some_and(|rest| rest.starts_with('.'));
         let is_missed = path.starts_with("garden.") && !self.has_garden;
         !is_missed && (!of_habit || self.species.contains_key(path))
@@ -106,6 +114,9 @@ mod tests {
         let values = values.growing(&Habit { lambda, ..Habit::default() }, 10.0);
         assert!(values.applies("habit.lambda") && values.applies("habit.leaf.length"));
         assert!(!values.applies("habit.crown.height"), "it has no crown of its own");
+        assert!(values.applies(OBSTACLE) && !values.applies("obstacle.width"), "nothing is there");
+        let walled = ParamValues { own: BTreeMap::from([(OBSTACLE.to_owned(), 1.0)]), ..values.clone() };
+        assert!(walled.applies("obstacle.width"));
         assert!((values.species["habit.lambda"] - 0.5).abs() < 1e-6, "as it is at that age");
     }
 }

@@ -1,4 +1,4 @@
-//! Parts that are being turned, bent and moved, as the card over the plant shows them.
+//! Parts that are being turned, bent and moved, as the bar below the plant shows them.
 
 use crate::app::pose_drag::PoseDrag;
 
