@@ -111,9 +111,10 @@ fn a_display_of_twice_the_density_shows_everything_twice_as_fine() {
     let (screen, home) = (Screen::beside_others(2560, 1600), TempDir::new().unwrap());
     let mut program = daisy_in(&screen, home.path(), &[("WINIT_X11_SCALE_FACTOR", "2")]);
     program.picture(&screen).keep("daisy-2x");
-    let ([left, top, ..], [right, _, width, height]) = (program.area("canvas"), program.area("plant"));
+    let ([left, top, _, canvas], [right, _, width, height]) = (program.area("canvas"), program.area("plant"));
     assert_eq!([left, top], [120.0, 104.0], "the bars are as wide in points");
-    assert!(right + width < 2560.0 && top + height < 1600.0 && height > 1400.0);
+    assert!(right + width < 2560.0 && top + canvas < 1600.0 && canvas > 1400.0);
+    assert!((100.0..140.0).contains(&(canvas - height)), "the bar with the tools of the plant below it");
 }
 
 #[test]
