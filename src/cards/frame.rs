@@ -41,8 +41,8 @@ pub(super) struct Frame {
     axes: Mat3,
     low: Vec3,
     high: Vec3,
-    /// Where, across its axis, its cards cross one another.
-    crossing: Vec2,
+    /// Where, across its axis, its cards cross one another; in its middle if it does not say.
+    crossing: Option<Vec2>,
 }
 
 impl Frame {
@@ -63,14 +63,14 @@ impl Frame {
         let organs = plant.organs.iter().flat_map(|organ| extremes(plant, organ));
         let around = Self::around(Vec3::ZERO, Mat3::IDENTITY, wood.chain(organs))?;
         // The trunk is in both pictures: they cross where it stands, so that it is not seen twice.
-        let trunk = plant.branches.first().map_or(around.crossing, |trunk| trunk.points[0].xz());
         let (low, high) = (around.low.xz(), around.high.xz());
-        Some(Self { crossing: trunk.clamp(low, high), ..around })
+        let trunk = plant.branches.first().map(|trunk| trunk.points[0].xz().clamp(low, high));
+        Some(Self { crossing: trunk, ..around })
     }
 
     /// The same box for other points.
     pub(super) fn around_points(&self, points: impl Iterator<Item = Vec3>) -> Option<Self> {
-        Self::around(self.foot, self.axes, points)
+        Some(Self { crossing: self.crossing, ..Self::around(self.foot, self.axes, points)? })
     }
 
     fn around(foot: Vec3, axes: Mat3, points: impl Iterator<Item = Vec3>) -> Option<Self> {
@@ -79,16 +79,15 @@ impl Frame {
             points.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
         let margin = ((high - low) * MARGIN).max(Vec3::splat(THINNEST * (high.y - low.y)));
         let is_sound = (high - low).is_finite() && high.y - low.y > 0.0;
-        let crossing = low.midpoint(high).xz();
-        is_sound.then_some(Self { foot, axes, low: low - margin, high: high + margin, crossing })
+        is_sound.then_some(Self { foot, axes, low: low - margin, high: high + margin, crossing: None })
     }
 
     /// The box of another cluster at the place of this one, so much larger or smaller that its wide side has the area of this one's.
     pub(super) fn of_shape(&self, other: &Self) -> Self {
         let area = |frame: &Self| (frame.high - frame.low).truncate().element_product();
         let scale = (area(self) / area(other)).sqrt().clamp(1.0 / MOST_SCALED, MOST_SCALED);
-        let (low, high, crossing) = (other.low * scale, other.high * scale, other.crossing * scale);
-        Self { foot: self.foot, axes: self.axes, low, high, crossing }
+        let crossing = other.crossing.map(|crossing| crossing * scale);
+        Self { low: other.low * scale, high: other.high * scale, crossing, ..*self }
     }
 
     /// Every number of it.
@@ -109,10 +108,10 @@ impl Frame {
         let (Mat3 { x_axis, y_axis, z_axis }, extent) = (self.axes, self.high - self.low);
         let middle = 0.5 * (self.low + self.high);
         let base = |x: f32, z: f32| self.foot + self.axes * Vec3::new(x, self.low.y, z);
-        let up = y_axis * extent.y;
+        let (up, crossing) = (y_axis * extent.y, self.crossing.unwrap_or(middle.xz()));
         match side {
-            Side::Wide => (base(middle.x, self.crossing.y), x_axis * extent.x, up),
-            Side::Narrow => (base(self.crossing.x, middle.z), z_axis * extent.z, up),
+            Side::Wide => (base(middle.x, crossing.y), x_axis * extent.x, up),
+            Side::Narrow => (base(crossing.x, middle.z), z_axis * extent.z, up),
         }
     }
 }
