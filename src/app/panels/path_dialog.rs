@@ -258,19 +258,20 @@ fn name_field(ui: &mut Ui, looking: &mut Looking, messages: &Messages) -> bool {
     let end = CCursor::new(looking.name.chars().count());
     let field = text_field(&mut looking.name, messages.get(Msg::PathName));
     let response = ui.add_sized(vec2(ui.available_width(), TARGET), field);
-    if response.gained_focus() {
-        // Whoever types another name types it in place of the offered one.
-        let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
-        state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
-        state.store(ui.ctx(), response.id);
-    }
     if response.changed() {
         looking.forget();
     }
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     // Enter again answers what the first one asked.
-    if entered || !std::mem::replace(&mut looking.is_offered, true) {
+    let is_first = !std::mem::replace(&mut looking.is_offered, true);
+    if entered || is_first {
         response.request_focus();
+    }
+    if is_first {
+        // Whoever types another name types it in place of the offered one.
+        let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+        state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+        state.store(ui.ctx(), response.id);
     }
     entered
 }
