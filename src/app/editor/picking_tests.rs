@@ -2,16 +2,14 @@
 
 use crate::app::action::Action;
 use crate::app::canvas_tool::CanvasTool;
+use crate::app::editor::test_window::{PATIENCE, build, frame};
 use crate::app::editor::{Editor, Places};
 use crate::model::pick::{Element, pick};
 use crate::pen::tests::Hand;
 use crate::pen::{PenPhase, PenTool};
 use crate::render::OrbitCamera;
 use glam::{Vec2, Vec3};
-use std::time::{Duration, Instant};
-
-/// Longest wait for a plant; only a test that has failed takes so long.
-const PATIENCE: Duration = Duration::from_secs(60);
+use std::time::Instant;
 
 /// An editor with the daisy, built.
 fn daisy(home: &tempfile::TempDir) -> Editor {
@@ -20,28 +18,6 @@ fn daisy(home: &tempfile::TempDir) -> Editor {
     let mut editor = Editor::open_in(places, Some(file.into()), || ()).unwrap();
     build(&mut editor);
     editor
-}
-
-/// Waits for the plant.
-fn build(editor: &mut Editor) {
-    let begun = Instant::now();
-    while editor.is_working() || editor.built().is_none() {
-        assert!(begun.elapsed() < PATIENCE, "it is built for ever");
-        editor.submit();
-        editor.collect();
-        std::thread::sleep(Duration::from_millis(1));
-    }
-}
-
-/// One frame of a window of 1280 × 800.
-fn frame(editor: &mut Editor, egui: &egui::Context) {
-    let screen_rect = Some(egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(1280.0, 800.0)));
-    // The bar below the plant has its height from the frame before.
-    for _ in 0..2 {
-        let input = egui::RawInput { screen_rect, ..egui::RawInput::default() };
-        let mut output = egui.run_ui(input, |ui| editor.ui(ui, egui::TextureId::default()));
-        output.textures_delta.clear();
-    }
 }
 
 /// An element that is seen in the window, and where.
