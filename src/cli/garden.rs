@@ -7,6 +7,7 @@ use crate::atomic;
 use crate::budget::GardenBudget;
 use crate::formats::read::{Loaded, ReadFormat, load};
 use crate::formats::write::{self, Surfaces, Takes};
+use crate::garden::crowding::{self, Crowded};
 use crate::garden::plan::Plan;
 use crate::garden::spec::KindFields;
 use crate::garden::stock::Individual;
@@ -201,6 +202,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let walls = if args.shard.is_none() { std::mem::take(&mut plan.walls) } else { Vec::new() };
     let garden = Arc::new(Garden { stock, places, ground, walls });
     warn_of_missing(&garden, args.shard);
+    warn_of_crowded(&garden);
     let bytes = clock.time("files", || write_all(args, &plan, &garden, &sources))?;
     if args.stats {
         common::print(&stats(&garden, &tiles, clock.take(), bytes).to_string())?;
@@ -286,6 +288,16 @@ fn warn_of_missing(garden: &Garden, shard: Option<Share>) {
                 );
             }
         }
+    }
+}
+
+/// Says which trees stand in each other.
+fn warn_of_crowded(garden: &Garden) {
+    for Crowded { kind, width, plants: [close, all] } in crowding::crowded(garden) {
+        tracing::warn!(
+            "{close} of {all} plants of {kind} stand in the crown of another: their crowns are {width:.1} m wide; choose a smaller \
+             density or a larger spacing"
+        );
     }
 }
 

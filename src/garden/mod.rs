@@ -19,6 +19,7 @@
 //! | `painted` | the garden as strokes on the ground: places and ground |
 //! | `spec`, `error` | the garden as text, and why it may not be one |
 //! | `stock` | the individuals that are copied |
+//! | `crowding` | trees whose crowns grow through each other |
 //! | `surface` | the ground and the paths as a closed slab |
 //! | `scene`, `list` | all of it as one model of copies, or as a list of places |
 //! | `seen` | what is looked at: plants that stay copies, in levels of detail |
@@ -27,6 +28,7 @@
 //! lean and size; files have no levels of detail, pictures have.
 
 pub mod area;
+pub mod crowding;
 pub mod error;
 pub mod grey_map;
 pub mod ground;

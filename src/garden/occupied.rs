@@ -33,6 +33,17 @@ impl Occupied {
         })
     }
 
+    /// Whether another plant is nearer to that one than the mean of both distances.
+    pub(super) fn is_close(&self, plant: usize) -> bool {
+        let (at, spacing) = self.plants[plant];
+        let mut others =
+            self.near(at, 0.5 * (self.widest + spacing)).filter(|other| *other as usize != plant);
+        others.any(|other| {
+            let (there, kept) = self.plants[other as usize];
+            there.distance(at) < 0.5 * (kept + spacing)
+        })
+    }
+
     /// The plants in all cells within this distance of a point, by their index.
     pub(super) fn near(&self, at: Vec2, radius: f32) -> impl Iterator<Item = u32> + '_ {
         let runs = self.index.iter().flat_map(move |(grid, sorted)| {
