@@ -7,10 +7,12 @@ use penstemon::formats::read;
 use penstemon::formats::textures::fetch;
 use penstemon::formats::write::{self, Surfaces};
 use penstemon::input::Sources;
+use penstemon::model::capsules::{Capsule, capsules};
 use penstemon::model::{Levels, Model, Part, PartKind};
 use penstemon::pipeline::{self, Bloom, Built, Level, Params, Seed};
 use penstemon::plant::Texture;
 use penstemon::render::{Background, Direction, PictureOptions, Projection, Renderer, View};
+use penstemon::sketch::Remark;
 use penstemon::species::{Species, builtin_texture};
 use serde_json::Value;
 use std::borrow::Cow;
@@ -167,4 +169,55 @@ fn a_file_of_levels_shows_the_finest_and_names_the_others() {
     let all: usize = read::read(&path).unwrap().iter().map(|surface| surface.mesh.triangles.len()).sum();
     assert_eq!(all, model.triangle_count(), "every level is judged");
     assert_eq!(read::load(&path).unwrap().model.triangle_count(), finest, "the finest is shown");
+}
+
+#[test]
+fn capsules_hold_the_thick_wood_beside_the_finest_level() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("oak.glb");
+    let (oak, params) = grown("oak", 14.0, &[]);
+    let capsules = capsules(&oak.plant);
+    assert!((2..=32).contains(&capsules.len()), "{} capsules", capsules.len());
+    let trunk = &oak.plant.branches[0];
+    let thick = trunk.points.iter().zip(&trunk.radii).filter(|(_, radius)| **radius > 0.3 * trunk.radii[0]);
+    for (point, radius) in thick {
+        let is_within = |capsule: &Capsule| {
+            let [from, to] = capsule.ends;
+            let share = ((*point - from).dot(to - from) / from.distance_squared(to)).clamp(0.0, 1.0);
+            from.lerp(to, share).distance(*point) <= 1.5 * radius
+        };
+        assert!(capsules.iter().any(is_within), "{point} is in no capsule");
+    }
+    let wanted = [Level::Triangles(20_000), Level::Triangles(4_000)];
+    let Levels { mut model, of_specimen } =
+        Levels::of(pipeline::levels(&oak.plant, &oak.model, &params, &wanted));
+    model.add_capsules(&capsules);
+    let plant = (&oak.plant, &oak.provenance);
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let levels = Surfaces { level_of_specimen: &of_specimen, ..(&model).into() };
+    write::export_all(std::slice::from_ref(&path), levels, plant, &built_in, None, &Sources::default())
+        .unwrap();
+    let document = document(&path);
+    let nodes = document["nodes"].as_array().unwrap();
+    let wood = nodes.iter().find(|node| node["name"] == "wood_LOD0").unwrap();
+    let children = wood["children"].as_array().unwrap().iter();
+    let names = children.map(|child| nodes[child.as_u64().unwrap() as usize]["name"].as_str().unwrap());
+    let of_capsules = names.filter(|name| name.starts_with("UCP_wood_LOD0_")).count();
+    assert_eq!(of_capsules, capsules.len());
+}
+
+#[test]
+fn trees_of_few_triangles_keep_their_crown() {
+    let mut renderer = Renderer::new().unwrap();
+    for (name, age) in [("oak", 14.0), ("spruce", 10.0)] {
+        let (whole, _) = grown(name, age, &[]);
+        let (few, _) = grown(name, age, &["model.budget.triangles=3000"]);
+        let says = |built: &Built| {
+            built.remarks.iter().any(|said| matches!(said.remark, Remark::FoliageAsCards { .. }))
+        };
+        assert!(says(&few) && !says(&whole));
+        assert_alike(&mut renderer, name, (&whole.model, &few.model), (0.3, 30.0));
+        let (leaves, _) = grown(name, age, &["model.budget.triangles=3000", "cards.below=0"]);
+        assert!(!says(&leaves));
+    }
 }

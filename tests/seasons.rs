@@ -100,8 +100,9 @@ fn grown_and_drawn_trees_bear_fruit_when_its_season_comes() {
 fn fruits_leave_the_triangles_to_the_tree() {
     let build = |more: &[String]| {
         let species = Species::built_in("apple").unwrap();
-        let mut all = vec!["season.time=3.4".to_owned(), "season.fruits=8".to_owned()];
-        all.extend_from_slice(more);
+        // On cards fruits are painted.
+        let all = ["season.time=3.4", "season.fruits=8", "cards.below=0"].map(str::to_owned);
+        let all = [&all, more].concat();
         let params = params_of_species(&species, &all).unwrap();
         pipeline::build(&Seed { number: 3, age: Some(9.0), ..Seed::default() }, &species, &params)
     };

@@ -113,7 +113,7 @@ impl Atlas {
     /// The card of a cluster from a side, with the picture of a shoot.
     pub(super) fn card(&self, frame: &Frame, shoot: usize, side: Side) -> Shape {
         let (base, u, v) = frame.of_shape(&self.painted[shoot].frame).card(side);
-        Shape::Card { base, u, v, window: self.window(shoot, side) }
+        Shape::Card { base, u, v, window: self.window(shoot, side), is_whole: frame.is_whole() }
     }
 
     /// The part of the picture that shows a shoot from a side.

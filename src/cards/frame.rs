@@ -103,6 +103,11 @@ impl Frame {
         extent.z / extent.x
     }
 
+    /// Whether it is around a whole plant.
+    pub(super) fn is_whole(&self) -> bool {
+        self.crossing.is_some()
+    }
+
     /// Middle of the lower edge, width and height of a card, metres.
     pub(super) fn card(&self, side: Side) -> (Vec3, Vec3, Vec3) {
         let (Mat3 { x_axis, y_axis, z_axis }, extent) = (self.axes, self.high - self.low);

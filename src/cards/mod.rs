@@ -40,6 +40,8 @@ crate::parameters! {
     pub struct CardParams {
         /// Leaves, flowers and thin twigs that nobody drew become cards.
         used: bool = false, 0..=1, "";
+        /// A budget of less than this share of the plant's triangles makes cards of the same foliage; 0 for never.
+        below: f32 = 0.15, 0..=1, "of the plant's triangles";
         /// How far the shoots reach that become one card.
         size: f32 = 0.06, 0.01..=0.5, "of the plant's size";
         /// How many of the plant's own shoots are drawn.
@@ -92,6 +94,11 @@ pub fn with_kept_cards(
     let Some(atlas) = atlas else { return Some(plant) };
     let cards = cards(&plant, &framed, &ranks, &atlas);
     Some(replaced(plant, &framed, cards, atlas.picture))
+}
+
+/// Whether any of a plant's foliage is cards.
+pub fn are_in(plant: &Plant) -> bool {
+    plant.organs.iter().any(|organ| matches!(organ.shape, Shape::Card { .. }))
 }
 
 /// The whole plant as two crossing pictures, each so many pixels wide and high, for what is far away.
@@ -267,7 +274,11 @@ fn replaced(
     let Some(role) = cards.first().map(|card| card.role) else { return plant };
     let first = framed.iter().flat_map(|(cluster, _)| &cluster.organs).next();
     let of_first = first.map(|organ| &plant.materials()[plant.material(plant.organs[*organ].role)]);
-    let material = material(of_first, picture);
+    let mut material = material(of_first, picture);
+    if framed.iter().any(|(_, frame)| frame.is_whole()) {
+        // Leaves of a whole tree shine in all directions, its picture would in one.
+        material.specular = [0.0; 3];
+    }
     plant.add_material(role.into(), material);
     plant.reshape(|plant| {
         let mut stays = organ_stays.into_iter();

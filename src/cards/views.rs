@@ -67,7 +67,7 @@ pub(super) fn painted(model: &Model, pixels: u32) -> Option<(Picture, Vec<View>)
         let (column, row) = ((i % COLUMNS) as f32, (i / COLUMNS) as f32);
         let low = Vec2::new(column, squares.y - 1.0 - row) / squares;
         let window = [low, low + cells[i].size.as_vec2() / pixels as f32 / squares];
-        View { toward, card: Shape::Card { base, u, v, window } }
+        View { toward, card: Shape::Card { base, u, v, window, is_whole: false } }
     };
     let views = cards.iter().enumerate().map(view).collect();
     Some((picture, views))
@@ -106,7 +106,7 @@ mod tests {
         let Rgba { width, height, pixels } = picture.pixels().unwrap();
         assert_eq!((width, height, views.len()), (5 * 48, 5 * 48, 25));
         for (i, View { toward, card }) in views.iter().enumerate() {
-            let Shape::Card { base, u, v, window: [low, high] } = card else { panic!("no card") };
+            let Shape::Card { base, u, v, window: [low, high], .. } = card else { panic!("no card") };
             assert!(u.cross(*v).normalize().dot(*toward) > 0.999 && base.is_finite(), "{i}");
             // Something of the plant reaches to each edge of its window.
             let size = Vec2::new(width as f32, height as f32);

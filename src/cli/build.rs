@@ -24,6 +24,10 @@ pub struct Args {
     /// (MSFT_lod), of OBJ each has a file.
     #[arg(long, value_name = "LEVELS")]
     pub lod: Option<Lod>,
+    /// With --lod: capsules around trunk and thick branches beside the finest level, as meshes called UCP_wood_LOD0_01 and so on,
+    /// with which games find out what runs into the plant.
+    #[arg(long, requires = "lod")]
+    pub capsules: bool,
     #[command(flatten)]
     #[allow(missing_docs)]
     pub pictures: PictureArgs,
@@ -49,7 +53,13 @@ pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
         args.sketch.display()
     );
     let (bytes, levels) = match &args.lod {
-        Some(lod) => lod::export(&args.out, (&built, &setup.params), lod, args.instances, &setup.sources)?,
+        Some(lod) => lod::export(
+            &args.out,
+            (&built, &setup.params),
+            (lod, args.capsules),
+            args.instances,
+            &setup.sources,
+        )?,
         None => {
             let (outs, instances, sources) = (&args.out[..], args.instances, &setup.sources);
             let outputs = Outputs { outs, instances, sources, pictures: args.pictures };

@@ -80,6 +80,8 @@ impl Assignments {
                 format!("cards.used={}", is(Leaves::Card)),
             ]
         });
+        // Who names a form wants that form, however few triangles there are.
+        let leaves = leaves.chain(self.leaves.map(|_| "cards.below=0".to_owned()));
         let season = self.season.map(|time| format!("season.time={time}"));
         self.set.iter().cloned().chain(triangles).chain(leaves).chain(season).collect()
     }

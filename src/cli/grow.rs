@@ -54,6 +54,10 @@ pub struct Args {
     /// (MSFT_lod), of OBJ each has a file.
     #[arg(long, value_name = "LEVELS", conflicts_with = "frames")]
     pub lod: Option<Lod>,
+    /// With --lod: capsules around trunk and thick branches beside the finest level, as meshes called UCP_wood_LOD0_01 and so on,
+    /// with which games find out what runs into the plant.
+    #[arg(long, requires = "lod")]
+    pub capsules: bool,
     /// Seed of everything random.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -127,19 +131,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let params =
         pipeline::params_of_species(&species, &args.assignments.all()).with_context(|| name.to_owned())?;
     if params.rose.is_some() {
-        ensure!(
-            args.age.is_none(),
-            "{name}: a rose has seasons, not years; leave out --age, or write --season 3 for hips"
-        );
-        ensure!(
-            args.lod.is_none(),
-            "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
-        );
-        ensure!(
-            args.obstacle.is_empty(),
-            "{name}: a rose does not grow around obstacles; leave out --obstacle"
-        );
-        ensure!(!args.fills(), "{name}: a rose does not fill volumes; leave out --inside and --lobes");
+        check_rose(name, args)?;
         let outputs = args.outputs(&sources);
         let bed =
             rose::Bed { name, species: &species, assignments: &args.assignments.all(), seed: args.seed };
@@ -165,7 +157,9 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     warn_of_shortfalls(name, args, &grown, ages, nursery.simulation()?);
     ensure!(!grown.model.parts.is_empty(), "{name}: {}", why_bare(ages));
     let (bytes, levels) = match &args.lod {
-        Some(lod) => lod::export(&args.out, (&grown, &params), lod, args.instances, &sources)?,
+        Some(lod) => {
+            lod::export(&args.out, (&grown, &params), (lod, args.capsules), args.instances, &sources)?
+        }
         None => (write(args, &sources, &grown, &mut nursery)?, Vec::new()),
     };
     if args.stats {
@@ -180,6 +174,21 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&stats.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Refuses options that a rose does not know.
+fn check_rose(name: &str, args: &Args) -> Result<()> {
+    ensure!(
+        args.age.is_none(),
+        "{name}: a rose has seasons, not years; leave out --age, or write --season 3 for hips"
+    );
+    ensure!(
+        args.lod.is_none(),
+        "{name}: a rose has no levels of detail yet; leave out --lod, or ask for one level with --triangles"
+    );
+    ensure!(args.obstacle.is_empty(), "{name}: a rose does not grow around obstacles; leave out --obstacle");
+    ensure!(!args.fills(), "{name}: a rose does not fill volumes; leave out --inside and --lobes");
+    Ok(())
 }
 
 /// A seed with the plant that has grown from it so far.

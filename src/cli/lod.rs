@@ -4,6 +4,7 @@ use super::common::{self, Instances};
 use super::studio::is_picture;
 use crate::formats::write;
 use crate::input::Sources;
+use crate::model::capsules::capsules;
 use crate::model::{Levels, Model};
 use crate::pipeline::{Built, Level, Params, levels};
 use anyhow::{Result, ensure};
@@ -66,7 +67,7 @@ impl FromStr for Lod {
 pub(super) fn export(
     outs: &[PathBuf],
     (built, params): (&Built, &Params),
-    lod: &Lod,
+    (lod, with_capsules): (&Lod, bool),
     instances: Option<Instances>,
     sources: &Sources,
 ) -> Result<(usize, Vec<usize>)> {
@@ -74,17 +75,34 @@ pub(super) fn export(
         let is_model = !is_picture(out) && write::format_of(out)?.extension() != "json";
         ensure!(is_model, "{}: levels of detail are models; write .glb or .obj", out.display());
     }
-    let models = levels(&built.plant, &built.model, params, &lod.0);
+    let mut models = levels(&built.plant, &built.model, params, &lod.0);
+    let wanted = models.len();
+    models.dedup_by_key(|model| model.triangle_count());
+    if models.len() < wanted {
+        tracing::warn!(
+            "{} of {wanted} levels are left out: the plant has fewer triangles",
+            wanted - models.len()
+        );
+    }
     let counts = models.iter().map(Model::triangle_count).collect();
     let (whole, apart): (Vec<PathBuf>, Vec<PathBuf>) = outs.iter().cloned().partition(|out| is_glb(out));
     let plant = (&built.plant, &built.provenance);
     let mut bytes = 0;
+    let capsules = if with_capsules { capsules(&built.plant) } else { Vec::new() };
+    if with_capsules && capsules.is_empty() {
+        tracing::warn!("--capsules: the plant has no wood, so it has no capsules");
+    }
+    if !whole.is_empty() {
+        let mut levels = Levels::of(models.iter().cloned());
+        levels.model.add_capsules(&capsules);
+        bytes += common::export_levels(&whole, (plant, &levels), instances, sources)?;
+    }
+    if let Some(finest) = models.first_mut() {
+        finest.add_capsules(&capsules);
+    }
     for (level, model) in models.iter().enumerate().filter(|_| !apart.is_empty()) {
         let named: Vec<PathBuf> = apart.iter().map(|out| of_level(out, level)).collect();
         bytes += common::export(&named, (plant, model.into()), None, sources)?;
-    }
-    if !whole.is_empty() {
-        bytes += common::export_levels(&whole, (plant, &Levels::of(models)), instances, sources)?;
     }
     Ok((bytes, counts))
 }

@@ -14,6 +14,7 @@
 //! | `card` | rectangles with pictures of foliage |
 //! | `shapes`, `copies` | blades that are copies of few shapes |
 //! | `instances` | copies by their shapes, for glTF |
+//! | `capsules` | wood as capsules, for what collides with it |
 //! | `levels` | several models of one plant as one |
 //! | `spine`, `tube` | single branches |
 //! | `limbs`, `rows`, `joint`, `bend`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
@@ -33,6 +34,7 @@ mod blade;
 mod blade_uv;
 mod build;
 mod cache;
+pub mod capsules;
 mod card;
 pub mod copies;
 pub mod crossing;

@@ -228,7 +228,7 @@ fn shapes(
             Original::Dome(proportion, is_large) => recipe.dome_shape(*proportion, *is_large),
             Original::Head(proportion) => recipe.head_shape(*proportion),
             Original::Lathe(proportions, is_large) => recipe.lathe_shape(proportions, *is_large),
-            Original::Card(window) => recipe.card_shape(window),
+            Original::Card(window, is_whole) => recipe.card_shape(window, *is_whole),
         }
         let hash = recipe.hash();
         let shape = known.get(hash, recipe, round).cloned().or_else(|| match original {
@@ -242,7 +242,7 @@ fn shapes(
             Original::Lathe(proportions, is_large) => {
                 CopyShape::solid(solids::lathe(proportions, *is_large, &params.solid))
             }
-            Original::Card(window) => Some(card::shape(*window)),
+            Original::Card(window, is_whole) => Some(card::shape(*window, *is_whole)),
         })?;
         Some((hash, recipe.written(), shape))
     };

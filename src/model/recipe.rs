@@ -111,8 +111,8 @@ impl<'a> Recipe<'a> {
     }
 
     /// The recipe of the shape of cards with this window.
-    pub(super) fn card_shape(&mut self, window: &[Vec2; 2]) {
-        self.begin(6).plane(window);
+    pub(super) fn card_shape(&mut self, window: &[Vec2; 2], is_whole: bool) {
+        self.begin(6).plane(window).word(u32::from(is_whole));
     }
 
     /// The recipe of pieces of organs that are one part, a group for each material; blades come with what
@@ -269,7 +269,9 @@ impl<'a> Recipe<'a> {
             Shape::Filament { points, radius, head } => {
                 self.word(2).points(points).real(*radius).real(head.x).real(head.y)
             }
-            Shape::Card { base, u, v, window } => self.word(5).point(*base).point(*u).point(*v).plane(window),
+            Shape::Card { base, u, v, window, is_whole } => {
+                self.word(5).point(*base).point(*u).point(*v).plane(window).word(u32::from(*is_whole))
+            }
             Shape::Spike { base, tip, side, foot, hook } => {
                 self.word(4).point(*base).point(*tip).point(*side).real(foot.x).real(foot.y).point(*hook)
             }

@@ -26,7 +26,7 @@ enum Key {
     Dome(Proportion, bool),
     Head(Proportion),
     Lathe(Proportions, bool),
-    Card([u32; 4]),
+    Card([u32; 4], bool),
 }
 
 /// What a shape is made from.
@@ -41,7 +41,7 @@ pub(super) enum Original<'a> {
     /// The profile of a lathed body in its largest radius, and whether it is large.
     Lathe(Proportions, bool),
     /// What part of its picture a card shows.
-    Card([Vec2; 2]),
+    Card([Vec2; 2], bool),
 }
 
 /// The mesh of a shape. That of a blade stands at the origin, u along x and v along y; that of a solid has its axis along y
@@ -151,9 +151,9 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
             let proportion = Proportion::of(head.x, head.y)?;
             Some((Key::Head(proportion), Original::Head(proportion)))
         }
-        Shape::Card { window: window @ [low, high], .. } => {
+        Shape::Card { window: window @ [low, high], is_whole, .. } => {
             let key = [low.x, low.y, high.x, high.y].map(f32::to_bits);
-            Some((Key::Card(key), Original::Card(*window)))
+            Some((Key::Card(key, *is_whole), Original::Card(*window, *is_whole)))
         }
         Shape::Lathe { profile, .. } => {
             let (proportions, widest) = (Proportions::of(profile)?, solids::widest(profile));

@@ -4,11 +4,11 @@
 use super::clock::Clock;
 use super::placing::{BuiltBeside, Placing};
 use super::setup::Params;
-use super::source::{Ages, Produced};
+use super::source::{Ages, MayBear, Produced};
 use super::triangle_budget::{self, Finer};
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
-use crate::cards;
+use crate::cards::{self, CardParams};
 use crate::garden::Garden;
 use crate::growth::Obstacles;
 use crate::growth::overlay::Spot;
@@ -76,11 +76,11 @@ pub(super) fn finish(
 ) -> Option<Built> {
     let Produced { plant, buds, provenance, mut remarks, anatomy, growth, obstacles, mut wood, .. } =
         produced;
-    let (mut poses, may_flower) = (produced.poses, produced.may_flower);
+    let (mut poses, may_bear) = (produced.poses, produced.may_bear);
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let names = PartNames::new(&provenance);
     let plant = clock.time("species", || {
-        let looks = looks(species, params, may_flower);
+        let looks = looks(species, params, may_bear);
         // Outside of its time of blossom a tree shows nothing of its flower buds.
         let buds =
             if looks.blossom.is_some() == species.blossom.is_some() { buds } else { FlowerBuds::default() };
@@ -99,16 +99,10 @@ pub(super) fn finish(
     });
     modelling::poses_at_rest(&poses).into_iter().for_each(&mut remark);
     let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
-    let plant = match params.cards.used {
-        true => clock.time("cards", || {
-            let most = (wanted > 0).then(|| triangle_budget::of_foliage(wanted));
-            cards::with_kept_cards(plant, &params.cards, most, cards, stop)
-        })?,
-        false => {
-            cards.clear();
-            plant
-        }
-    };
+    let plant = clock.time("cards", || with_cards(plant, params, wanted, cards, stop))?;
+    if !params.cards.used && cards::are_in(&plant) {
+        remark(Remark::FoliageAsCards { triangles: wanted });
+    }
     let (plant, fitted) = match wanted {
         0 => (plant, None),
         _ => clock.time("budget", || {
@@ -140,22 +134,55 @@ pub(super) fn finish(
     })
 }
 
-/// The looks of a species with the artist's flowers at the time of the year, without blossom where the plant may not have any.
-fn looks<'a>(species: &'a Species, params: &Params, may_flower: bool) -> Cow<'a, Species> {
+/// The looks of a species with the artist's flowers at the time of the year, without what the plant may not bear.
+fn looks<'a>(species: &'a Species, params: &Params, may_bear: MayBear) -> Cow<'a, Species> {
     let mut looks = params.flower.applied(species);
     // Leaves of roses are made for their season.
     if species.rose.is_none() && params.season.time != looks.season.time {
         looks.to_mut().season.time = params.season.time;
     }
-    if params.season.fruits != 1.0
+    let fruits = if may_bear.fruits { params.season.fruits } else { 0.0 };
+    if fruits != 1.0
         && let Some(set) = looks.to_mut().fruit.as_mut().and_then(|fruit| fruit.set.as_mut())
     {
-        set.share = (set.share * params.season.fruits).min(1.0);
+        set.share = (set.share * fruits).min(1.0);
     }
-    if looks.blossom.is_some() && !(may_flower && looks.is_in_blossom()) {
+    if looks.blossom.is_some() && !(may_bear.flowers && looks.is_in_blossom()) {
         looks.to_mut().blossom = None;
     }
     looks
+}
+
+/// The plant with cards where its parameters or so many triangles, 0 for any number, ask for them; nothing if `stop` said yes.
+fn with_cards(
+    plant: FinishedPlant,
+    params: &Params,
+    wanted: u64,
+    cache: &mut cards::Cache,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> Option<FinishedPlant> {
+    if !params.cards.used && !is_small_budget(&plant, params, wanted, stop) {
+        cache.clear();
+        return Some(plant);
+    }
+    let params = CardParams { used: true, ..params.cards.clone() };
+    let most = (wanted > 0).then(|| triangle_budget::of_foliage(wanted));
+    cards::with_kept_cards(plant, &params, most, cache, stop)
+}
+
+/// Whether so many triangles, 0 for any number, are so few of those that a plant has by itself that single leaves would be lost among
+/// its wood. Roses and other large flowers rather become coarser.
+fn is_small_budget(
+    plant: &FinishedPlant,
+    params: &Params,
+    wanted: u64,
+    stop: &(dyn Fn() -> bool + Sync),
+) -> bool {
+    if wanted == 0 || params.cards.below == 0.0 || triangle_budget::has_large_flowers(plant) {
+        return false;
+    }
+    let whole = triangle_budget::count(plant, &params.model, stop);
+    (wanted as f32) < params.cards.below * whole as f32
 }
 
 /// How fine surfaces become.

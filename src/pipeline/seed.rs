@@ -5,7 +5,7 @@
 use super::clock::Clock;
 use super::growing;
 use super::setup::Params;
-use super::source::{Ages, Produced, Seed};
+use super::source::{Ages, MayBear, Produced, Seed};
 use crate::anatomy::Anatomy;
 use crate::growth::overlay::{Spot, Wanted, overlay};
 use crate::growth::{
@@ -135,7 +135,7 @@ pub(super) fn produce(
     let (simulation, ages) =
         clock.time("growth", || memory.grow((habit, &params.obstacle), seed, age, stop))?;
     let PlantAtAge { plant, buds } = clock.time("plant", || growth::plant_at(simulation, ages.shown));
-    let may_flower = may_flower(species, habit, ages.shown);
+    let may_bear = may_bear(species, habit, ages.shown);
     let early = growing::why_no_older(ages.outcome, simulation.age());
     let mut remarks: Vec<_> = early.map(|remark| Warning { stroke: None, remark }).into_iter().collect();
     remarks.extend(growing::thinned_leaves(&plant, simulation.limits(), None));
@@ -149,14 +149,18 @@ pub(super) fn produce(
         anatomy,
         growth: Some(ages),
         obstacles,
-        may_flower,
+        may_bear,
         ..Produced::default()
     })
 }
 
-/// Whether a plant of an age may flower: one that is too young may not, where it is the buds that decide about flowers.
-fn may_flower(species: &Species, habit: &Habit, age: f32) -> bool {
+/// What a plant of an age may bear: one that is too young no flowers, where it is the buds that decide about them, and no fruits.
+fn may_bear(species: &Species, habit: &Habit, age: f32) -> MayBear {
     let flowers = |share: &Schedule| share.at(habit.flower_age) > 0.0;
     let decides = flowers(&habit.flowering) || flowers(&habit.flowering_side);
-    species.blossom.is_none() || !decides || age >= habit.flower_age
+    let set = species.fruit.as_ref().and_then(|fruit| fruit.set.as_ref());
+    MayBear {
+        flowers: species.blossom.is_none() || !decides || age >= habit.flower_age,
+        fruits: set.is_none_or(|set| age >= set.from_age),
+    }
 }

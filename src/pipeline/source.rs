@@ -86,12 +86,26 @@ pub struct Produced {
     pub wood: DrawnWood,
     /// Poses of its drawing that are of no branch.
     pub poses: Vec<PartPose>,
-    /// Whether it is old enough for the flowers of its species.
-    pub may_flower: bool,
+    /// What of its species it is old enough for.
+    pub may_bear: MayBear,
+}
+
+/// What a plant is old enough for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MayBear {
+    /// Flowers.
+    pub flowers: bool,
+    /// Fruits.
+    pub fruits: bool,
+}
+
+impl MayBear {
+    /// Of a plant whose age is not known, as one that was drawn.
+    pub const ALL: Self = Self { flowers: true, fruits: true };
 }
 
 impl Default for Produced {
-    /// No plant, which may flower.
+    /// No plant, which may bear anything.
     fn default() -> Self {
         Self {
             plant: Plant::default(),
@@ -103,7 +117,7 @@ impl Default for Produced {
             obstacles: None,
             wood: DrawnWood::default(),
             poses: Vec::new(),
-            may_flower: true,
+            may_bear: MayBear::ALL,
         }
     }
 }

@@ -17,9 +17,10 @@
 //! Limits: all these builds come again with every sample where a drawing has such a number in the window, though a newer drawing
 //! ends them. Leaves of a tree's twigs that went stay where they were. Drawn parts never go, nor does a single flower lose any: a
 //! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
-//! at its finest may have fewer. The plant's list of flowers keeps those that went.
+//! at its finest may have fewer, as one with cards for foliage. The plant's list of flowers keeps those that went.
 
 use super::thinning::{Foliage, OnTwigs, thinned, with_fruits, with_thorns, without_twigs};
+use crate::cards;
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
 use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
@@ -32,8 +33,9 @@ const NEAR: f32 = 0.03;
 const FOLIAGE: usize = 50;
 /// Share of wood among the triangles of a plant with foliage.
 const WOOD: f32 = 0.4;
-/// The largest such share.
+/// The largest such share, or what is left when foliage that is few triangles, as cards, loses this share of them.
 const MOST_WOOD: f32 = 0.8;
+const LOST: f32 = 0.15;
 /// Corners of leaves of which less than such a share would stay with more.
 const FEWER_CORNERS: (f32, u32) = (0.5, 6);
 /// Leaves that fill less than this share of their convex hull, as sprays of needles do, keep their corners.
@@ -69,7 +71,7 @@ pub(super) fn fit(
         return (plant, finer(by));
     }
     let (plant, now) = with_few_fruits(plant, params, now, &budget);
-    let (plant, now) = match has_cards(&plant) {
+    let (plant, now) = match cards::are_in(&plant) {
         true => {
             let plant = with_few_thorns(plant, params, &budget);
             let now = budget.count(&plant, params);
@@ -126,10 +128,8 @@ struct Budget<'a> {
 }
 
 impl Budget<'_> {
-    /// Triangles of a plant's model; 0 once it is to give up.
     fn count(&self, plant: &FinishedPlant, params: &ModelParams) -> u64 {
-        let model = model::rebuild(plant, params, &mut model::Cache::for_one_build(), self.stop);
-        model.map_or(0, |model| model.triangle_count() as u64)
+        count(plant, params, self.stop)
     }
 
     fn has_room(&self, plant: &FinishedPlant, params: &ModelParams) -> bool {
@@ -139,6 +139,12 @@ impl Budget<'_> {
     fn is_met(&self, count: u64) -> bool {
         is_near(count, self.wanted)
     }
+}
+
+/// Triangles of a plant's model; 0 once `stop` says yes.
+pub(super) fn count(plant: &FinishedPlant, params: &ModelParams, stop: &(dyn Fn() -> bool + Sync)) -> u64 {
+    let model = model::rebuild(plant, params, &mut model::Cache::for_one_build(), stop);
+    model.map_or(0, |model| model.triangle_count() as u64)
 }
 
 fn is_near(count: u64, wanted: u64) -> bool {
@@ -181,11 +187,6 @@ fn largest_each<const N: usize>(
         all = with(largest(|more| fits(with(more))));
     }
     all
-}
-
-/// Whether foliage of a plant is cards, beside which nobody looks for thorns.
-fn has_cards(plant: &FinishedPlant) -> bool {
-    plant.organs.iter().any(|organ| matches!(organ.shape, Shape::Card { .. }))
 }
 
 /// The plant with as many of the fruits that nobody drew as have room in their share of the triangles, and its triangles; `now` are
@@ -301,7 +302,8 @@ fn with_foliage(
     let share = largest(|share| budget.count(&bare, &wood(share)) <= for_wood);
     // Wood becomes finer in steps: rather the step above, with less foliage, than too little of all.
     let above = (share + 0.5f32.powi(HALVINGS as i32)).min(1.0);
-    let is_room = share > 0.0 && budget.count(&bare, &wood(above)) as f32 <= MOST_WOOD * wanted as f32;
+    let most_wood = (MOST_WOOD * wanted as f32).max(wanted as f32 - (1.0 - LOST) * of_foliage as f32);
+    let is_room = share > 0.0 && budget.count(&bare, &wood(above)) as f32 <= most_wood;
     // Foliage as fine as it was while there is room for enough of it.
     let coarser = wood(if is_room { above } else { share }).into_owned();
     let mut params = ModelParams { blade: params.blade.clone(), ..coarser };
@@ -367,9 +369,13 @@ mod tests {
 
     #[test]
     fn trees_have_the_triangles_that_are_asked_for() {
-        for (species, age, wanted) in
-            [("apple", 8.0, 30_000), ("apple", 12.0, 20_000), ("spruce", 8.0, 40_000), ("oak", 12.0, 9_000)]
-        {
+        for (species, age, wanted) in [
+            ("apple", 8.0, 30_000),
+            ("apple", 12.0, 20_000),
+            ("spruce", 8.0, 40_000),
+            ("spruce", 8.0, 12_000),
+            ("oak", 12.0, 9_000),
+        ] {
             let built = grown(species, age, wanted);
             let count = built.model.triangle_count() as u64;
             assert!(

@@ -123,7 +123,7 @@ impl Shape {
                 *base = moved(*base);
                 profile.iter_mut().for_each(|point| *point *= scale);
             }
-            Self::Card { base, u, v, window: _ } => {
+            Self::Card { base, u, v, window: _, is_whole: _ } => {
                 (*base, *u, *v) = (moved(*base), *u * scale, *v * scale);
             }
             Self::Spike { base, tip, side: _, foot, hook } => {

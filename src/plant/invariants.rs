@@ -79,7 +79,7 @@ impl Plant {
                 ensure(points.windows(2).all(|w| w[0] != w[1]), || here("repeated point"))?;
                 ensure(*radius > 0.0 && head.min_element() >= 0.0, || here("size not positive"))
             }
-            Shape::Card { base, u, v, window: [low, high] } => {
+            Shape::Card { base, u, v, window: [low, high], .. } => {
                 ensure(base.is_finite() && u.is_finite() && v.is_finite(), || here("pose not finite"))?;
                 let within = |corner: &Vec2| corner.cmpge(Vec2::ZERO).all() && corner.cmple(Vec2::ONE).all();
                 ensure(within(low) && within(high) && low.cmplt(*high).all(), || here("window"))

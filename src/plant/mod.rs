@@ -149,6 +149,8 @@ pub enum Shape {
         v: Vec3,
         /// Left lower and right upper corner of its part of the picture, each 0 to 1 from the picture's left lower corner.
         window: [Vec2; 2],
+        /// Whether it shows a whole plant, whose light comes from above, instead of a shoot, which may look any way.
+        is_whole: bool,
     },
     /// A cone with an elliptic foot, bent toward its tip: a thorn.
     Spike {

@@ -241,6 +241,15 @@ pub enum Remark {
         /// Where and why, and what helps.
         fault: String,
     },
+    /// Leaves that a budget turned into pictures.
+    #[error(
+        "{triangles} triangles are too few for single leaves: foliage became pictures of shoots; leaves stay where the parameter \
+         cards.below is 0"
+    )]
+    FoliageAsCards {
+        /// The budget.
+        triangles: u64,
+    },
     /// Surfaces that are coarser than was asked for.
     #[error(
         "surfaces are coarser than asked for: the plant would have more than {triangles} triangles, the most that a plant may \
@@ -353,6 +362,7 @@ impl Remark {
             | Self::NothingToPlant { .. }
             | Self::GardenThinned { .. }
             | Self::PlantOutOfScale
+            | Self::FoliageAsCards { .. }
             | Self::Coarser { .. } => true,
             Self::OfPlant { remark, .. } => remark.is_shortfall(),
             Self::NoPoints { .. }

@@ -57,6 +57,8 @@ crate::parameters! {
         along: f32 = 0.0, 0.0..=1.0, "of the leaf's length";
         /// Height of the leaves from which on there are any, 0 that of the lowest, 1 that of the highest.
         above: f32 = 0.0, 0.0..=1.0, "of the foliage's height";
+        /// Age from which on a plant that grows from seed has any.
+        from_age: f32 = 4.0, 0.0..=1000.0, "years";
         others:
         /// What they look like.
         shape: FruitShape;

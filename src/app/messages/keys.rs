@@ -420,6 +420,7 @@ keys! {
     WarningBlossomThinned = "warning.blossom_thinned",
     WarningGrammarStopped = "warning.grammar_stopped",
     WarningLeavesThinned = "warning.leaves_thinned",
+    WarningFoliageAsCards = "warning.foliage_as_cards",
     WarningCoarser = "warning.coarser",
     WarningFineness = "warning.fineness",
     WarningLooksLike = "warning.looks_like",

@@ -18,6 +18,7 @@ impl Localize for Warning {
 impl Localize for Remark {
     fn localize(&self, messages: &Messages) -> String {
         let fill = |msg, values: &[(&str, &dyn std::fmt::Display)]| messages.fill(msg, values);
+        let one = |msg, name, value: &dyn std::fmt::Display| messages.fill(msg, &[(name, value)]);
         let about = |msg, element: &Element, reason: &str| {
             fill(msg, &[("element", &element.localize(messages)), ("reason", &reason)])
         };
@@ -37,9 +38,7 @@ impl Localize for Remark {
                 fill(Msg::WarningPage, &[("attribute", attribute), ("value", value)])
             }
             Self::PictureMissing { name, parts: _ } => fill(Msg::WarningPictureMissing, &[("name", name)]),
-            Self::PictureDamaged { reason, parts: _ } => {
-                fill(Msg::WarningPictureDamaged, &[("reason", reason)])
-            }
+            Self::PictureDamaged { reason, parts: _ } => one(Msg::WarningPictureDamaged, "reason", reason),
             Self::SpeciesMissing { name } => fill(Msg::WarningSpeciesMissing, &[("name", name)]),
             Self::TooShort => fill(Msg::WarningTooShort, &[]),
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
@@ -62,14 +61,13 @@ impl Localize for Remark {
             Self::NoFlowerToPaint => fill(Msg::WarningNoFlowerToPaint, &[]),
             Self::LightsNothing => fill(Msg::WarningLightsNothing, &[]),
             Self::PosesRest { poses } => fill(Msg::WarningPosesRest, &[("count", poses)]),
-            Self::GrowthCapped { internodes } => {
-                fill(Msg::WarningGrowthCapped, &[("internodes", internodes)])
-            }
+            Self::GrowthCapped { internodes } => one(Msg::WarningGrowthCapped, "internodes", internodes),
             Self::GrownTooLarge { years } => fill(Msg::WarningGrownTooLarge, &[("count", years)]),
             Self::GrowthTooCostly { years } => fill(Msg::WarningGrowthTooCostly, &[("count", years)]),
             Self::LeavesThinned { leaves } => fill(Msg::WarningLeavesThinned, &[("leaves", leaves)]),
             Self::GrammarStopped { fault } => fill(Msg::WarningGrammarStopped, &[("fault", fault)]),
             Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
+            Self::FoliageAsCards { triangles } => one(Msg::WarningFoliageAsCards, "triangles", triangles),
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::ThinsCrown => fill(Msg::WarningThinsCrown, &[]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
@@ -200,7 +198,8 @@ mod tests {
             Remark::GrowthTooCostly { .. } => Remark::LeavesThinned { leaves: 53 },
             Remark::LeavesThinned { .. } => Remark::BlossomThinned { flowers: 55 },
             Remark::BlossomThinned { .. } => Remark::GrammarStopped { fault: "line 61".to_owned() },
-            Remark::GrammarStopped { .. } => Remark::Coarser { triangles: 56 },
+            Remark::GrammarStopped { .. } => Remark::FoliageAsCards { triangles: 57 },
+            Remark::FoliageAsCards { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::ThinsCrown,
             Remark::ThinsCrown => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },

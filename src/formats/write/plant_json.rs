@@ -163,7 +163,7 @@ impl<'a> OrganText<'a> {
             Shape::Dome { base, axis, radius, height } => {
                 ShapeText::Dome { base: *base, axis: *axis, radius: *radius, height: *height }
             }
-            Shape::Card { base, u, v, window } => {
+            Shape::Card { base, u, v, window, .. } => {
                 ShapeText::Card { base: *base, u: *u, v: *v, window: *window }
             }
             Shape::Spike { base, tip, side, foot, hook } => {
