@@ -116,6 +116,7 @@ pub(super) fn finish(
         remark(Remark::Coarser { triangles: budget.triangles });
     }
     let model = clock.time("model", || model::rebuild(&plant, &fineness.params, cache, stop))?;
+    budget_missed(&model, wanted).into_iter().for_each(&mut remark);
     let (beside, overlay, stages) = (Vec::new(), Vec::new(), clock.take());
     Some(Built {
         anatomy,
@@ -183,6 +184,14 @@ fn is_small_budget(
     }
     let whole = triangle_budget::count(plant, &params.model, stop);
     (wanted as f32) < params.cards.below * whole as f32
+}
+
+/// The remark that a model has more triangles than were asked for, 0 for any number.
+fn budget_missed(model: &Model, wanted: u64) -> Option<Remark> {
+    let triangles = model.triangle_count();
+    let is_missed =
+        wanted > 0 && triangles as u64 > wanted && !triangle_budget::is_near(triangles as u64, wanted);
+    is_missed.then_some(Remark::BudgetMissed { triangles, wanted })
 }
 
 /// How fine surfaces become.

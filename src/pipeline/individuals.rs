@@ -14,7 +14,7 @@ use super::source::{Bloom, Seed, Source};
 use super::{Built, build, triangle_budget};
 use crate::garden::{BeforeWall, Grown, Views};
 use crate::model::Model;
-use crate::sketch::Sketch;
+use crate::sketch::{Remark, Sketch, Warning};
 use crate::species::Species;
 use rayon::prelude::*;
 
@@ -163,7 +163,9 @@ impl Grower {
             Self::Species { params, form, .. } | Self::Drawing { params, form, .. } => (params, *form),
         };
         let Some(Built { model, plant, remarks, .. }) = self.built(variant) else { return Grown::default() };
-        let remarks = remarks.iter().map(ToString::to_string).collect();
+        // How many triangles an individual may have is the garden's choice.
+        let is_own = |said: &&Warning| !matches!(said.remark, Remark::BudgetMissed { .. });
+        let remarks = remarks.iter().filter(is_own).map(ToString::to_string).collect();
         if form == Form::Billboards {
             let flat = levels(&plant, &model, params, &[Level::Billboards]).pop();
             return Grown { model: flat.unwrap_or_default(), remarks, ..Grown::default() };

@@ -147,7 +147,8 @@ pub(super) fn count(plant: &FinishedPlant, params: &ModelParams, stop: &(dyn Fn(
     model.map_or(0, |model| model.triangle_count() as u64)
 }
 
-fn is_near(count: u64, wanted: u64) -> bool {
+/// Whether a number of triangles is as good as the one that was asked for.
+pub(super) fn is_near(count: u64, wanted: u64) -> bool {
     (count as f32 / wanted as f32 - 1.0).abs() <= NEAR
 }
 
@@ -358,6 +359,7 @@ fn kept(
 mod tests {
     use super::super::{Bloom, Seed, build, params_of_species};
     use super::*;
+    use crate::sketch::Remark;
     use crate::species::Species;
 
     fn grown(species: &str, age: f32, triangles: u32) -> crate::pipeline::Built {
@@ -439,6 +441,10 @@ mod tests {
             assert_eq!(built.plant.check_invariants(), Ok(()));
         }
         let least = rose(1_000);
+        let says = |built: &crate::pipeline::Built| {
+            built.remarks.iter().any(|said| matches!(said.remark, Remark::BudgetMissed { wanted: 1_000, .. }))
+        };
+        assert!(says(&least) && !says(&whole), "{} triangles", least.model.triangle_count());
         assert_eq!(petals(&least), of_flower);
         assert!(!least.plant.branches.is_empty());
         assert_eq!(least.plant.check_invariants(), Ok(()));

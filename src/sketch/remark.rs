@@ -250,6 +250,17 @@ pub enum Remark {
         /// The budget.
         triangles: u64,
     },
+    /// A budget that a plant does not come down to.
+    #[error(
+        "the plant has {triangles} triangles instead of {wanted}: what was drawn and the last flower stay, and are as coarse as they \
+         can be"
+    )]
+    BudgetMissed {
+        /// How many it has.
+        triangles: usize,
+        /// How many were asked for.
+        wanted: u64,
+    },
     /// Surfaces that are coarser than was asked for.
     #[error(
         "surfaces are coarser than asked for: the plant would have more than {triangles} triangles, the most that a plant may \
@@ -363,6 +374,7 @@ impl Remark {
             | Self::GardenThinned { .. }
             | Self::PlantOutOfScale
             | Self::FoliageAsCards { .. }
+            | Self::BudgetMissed { .. }
             | Self::Coarser { .. } => true,
             Self::OfPlant { remark, .. } => remark.is_shortfall(),
             Self::NoPoints { .. }

@@ -421,6 +421,7 @@ keys! {
     WarningGrammarStopped = "warning.grammar_stopped",
     WarningLeavesThinned = "warning.leaves_thinned",
     WarningFoliageAsCards = "warning.foliage_as_cards",
+    WarningBudgetMissed = "warning.budget_missed",
     WarningCoarser = "warning.coarser",
     WarningFineness = "warning.fineness",
     WarningLooksLike = "warning.looks_like",

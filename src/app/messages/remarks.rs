@@ -39,7 +39,7 @@ impl Localize for Remark {
             }
             Self::PictureMissing { name, parts: _ } => fill(Msg::WarningPictureMissing, &[("name", name)]),
             Self::PictureDamaged { reason, parts: _ } => one(Msg::WarningPictureDamaged, "reason", reason),
-            Self::SpeciesMissing { name } => fill(Msg::WarningSpeciesMissing, &[("name", name)]),
+            Self::SpeciesMissing { name } => one(Msg::WarningSpeciesMissing, "name", name),
             Self::TooShort => fill(Msg::WarningTooShort, &[]),
             Self::EnclosesNothing => fill(Msg::WarningEnclosesNothing, &[]),
             Self::ReadAs(reading) => fill(words_of(*reading), &[]),
@@ -68,15 +68,16 @@ impl Localize for Remark {
             Self::GrammarStopped { fault } => fill(Msg::WarningGrammarStopped, &[("fault", fault)]),
             Self::BlossomThinned { flowers } => fill(Msg::WarningBlossomThinned, &[("flowers", flowers)]),
             Self::FoliageAsCards { triangles } => one(Msg::WarningFoliageAsCards, "triangles", triangles),
+            Self::BudgetMissed { triangles, wanted } => {
+                fill(Msg::WarningBudgetMissed, &[("triangles", triangles), ("wanted", wanted)])
+            }
             Self::Coarser { triangles } => fill(Msg::WarningCoarser, &[("triangles", triangles)]),
             Self::ThinsCrown => fill(Msg::WarningThinsCrown, &[]),
             Self::FinenessUnused => fill(Msg::WarningFineness, &[]),
             Self::LooksLike { species } => {
-                fill(Msg::WarningLooksLike, &[("species", &names_of(species, messages))])
+                one(Msg::WarningLooksLike, "species", &names_of(species, messages))
             }
-            Self::NoSuchPlant { known } => {
-                fill(Msg::WarningNoSuchPlant, &[("known", &names_of(known, messages))])
-            }
+            Self::NoSuchPlant { known } => one(Msg::WarningNoSuchPlant, "known", &names_of(known, messages)),
             Self::NoSuchPlantInGarden { species, known } => no_bed(species, known, messages),
             Self::NothingToPlant { drawing } => nothing_to_plant(drawing.as_deref(), messages),
             Self::GardenThinned { plants } => fill(Msg::WarningGardenThinned, &[("plants", plants)]),
@@ -199,7 +200,8 @@ mod tests {
             Remark::LeavesThinned { .. } => Remark::BlossomThinned { flowers: 55 },
             Remark::BlossomThinned { .. } => Remark::GrammarStopped { fault: "line 61".to_owned() },
             Remark::GrammarStopped { .. } => Remark::FoliageAsCards { triangles: 57 },
-            Remark::FoliageAsCards { .. } => Remark::Coarser { triangles: 56 },
+            Remark::FoliageAsCards { .. } => Remark::BudgetMissed { triangles: 59, wanted: 58 },
+            Remark::BudgetMissed { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::ThinsCrown,
             Remark::ThinsCrown => Remark::FinenessUnused,
             Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },
