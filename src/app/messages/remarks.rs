@@ -153,6 +153,7 @@ mod tests {
     fn next(remark: &Remark) -> Option<Remark> {
         let element = |id: Option<&str>| Element { name: "path".to_owned(), id: id.map(str::to_owned) };
         let reason = || "7".to_owned();
+        let (daisy, oak) = (|| "daisy".to_owned(), || "oak".to_owned());
         Some(match remark {
             Remark::NoPoints { .. } => Remark::PressureOutside { points: 41 },
             Remark::PressureOutside { .. } => Remark::TiltOutside { points: 42 },
@@ -184,9 +185,7 @@ mod tests {
             Remark::NoBranch => Remark::NoRoom,
             Remark::NoRoom => Remark::EmptyCrown,
             Remark::EmptyCrown => Remark::ManyCrowns { most: 52 },
-            Remark::ManyCrowns { .. } => {
-                Remark::DoesNotGrow { species: "daisy".to_owned(), known: "oak".to_owned() }
-            }
+            Remark::ManyCrowns { .. } => Remark::DoesNotGrow { species: daisy(), known: oak() },
             Remark::DoesNotGrow { .. } => Remark::BrushOutOfReach,
             Remark::BrushOutOfReach => Remark::NoFlowerToPaint,
             Remark::NoFlowerToPaint => Remark::PaintsNoMore { most: 6000 },
@@ -204,11 +203,9 @@ mod tests {
             Remark::BudgetMissed { .. } => Remark::Coarser { triangles: 56 },
             Remark::Coarser { .. } => Remark::ThinsCrown,
             Remark::ThinsCrown => Remark::FinenessUnused,
-            Remark::FinenessUnused => Remark::LooksLike { species: "oak".to_owned() },
-            Remark::LooksLike { .. } => Remark::NoSuchPlant { known: "oak".to_owned() },
-            Remark::NoSuchPlant { .. } => {
-                Remark::NoSuchPlantInGarden { species: "daisy".to_owned(), known: "oak".to_owned() }
-            }
+            Remark::FinenessUnused => Remark::LooksLike { species: oak() },
+            Remark::LooksLike { .. } => Remark::NoSuchPlant { known: oak() },
+            Remark::NoSuchPlant { .. } => Remark::NoSuchPlantInGarden { species: daisy(), known: oak() },
             Remark::NoSuchPlantInGarden { .. } => Remark::NothingToPlant { drawing: None },
             Remark::NothingToPlant { drawing: None } => {
                 Remark::NothingToPlant { drawing: Some("shrub".to_owned()) }
@@ -217,7 +214,7 @@ mod tests {
             Remark::GardenThinned { .. } => Remark::PlantOutOfScale,
             Remark::PlantOutOfScale => {
                 let remark = Box::new(Remark::GrownTooLarge { years: 60 });
-                Remark::OfPlant { place: 59, species: "oak".to_owned(), remark }
+                Remark::OfPlant { place: 59, species: oak(), remark }
             }
             Remark::OfPlant { .. } => Remark::More { count: 49 },
             Remark::More { .. } => return None,
