@@ -27,19 +27,19 @@ impl Occupied {
 
     /// Whether a plant that keeps this distance can stand there: it keeps the mean of both distances from each.
     pub(super) fn has_room(&self, at: Vec2, spacing: f32) -> bool {
-        self.near(at, 0.5 * (self.widest + spacing)).all(|plant| {
-            let (there, kept) = self.plants[plant as usize];
-            there.distance(at) >= 0.5 * (kept + spacing)
-        })
+        self.too_near(at, spacing).next().is_none()
     }
 
     /// Whether another plant is nearer to that one than the mean of both distances.
     pub(super) fn is_close(&self, plant: usize) -> bool {
         let (at, spacing) = self.plants[plant];
-        let mut others =
-            self.near(at, 0.5 * (self.widest + spacing)).filter(|other| *other as usize != plant);
-        others.any(|other| {
-            let (there, kept) = self.plants[other as usize];
+        self.too_near(at, spacing).any(|other| other as usize != plant)
+    }
+
+    /// The plants that are nearer to a place than the mean of their distance and that which is kept there.
+    fn too_near(&self, at: Vec2, spacing: f32) -> impl Iterator<Item = u32> + '_ {
+        self.near(at, 0.5 * (self.widest + spacing)).filter(move |plant| {
+            let (there, kept) = self.plants[*plant as usize];
             there.distance(at) < 0.5 * (kept + spacing)
         })
     }

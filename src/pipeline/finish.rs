@@ -171,19 +171,17 @@ fn with_cards(
     cards::with_kept_cards(plant, &params, most, cache, stop)
 }
 
-/// Whether so many triangles, 0 for any number, are so few of those that a plant has by itself that single leaves would be lost among
-/// its wood. Roses and other large flowers rather become coarser.
+/// Whether so many triangles, 0 for any number, are so few that foliage is to be cards.
 fn is_small_budget(
     plant: &FinishedPlant,
     params: &Params,
     wanted: u64,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> bool {
-    if wanted == 0 || params.cards.below == 0.0 || triangle_budget::has_large_flowers(plant) {
-        return false;
-    }
-    let whole = triangle_budget::count(plant, &params.model, stop);
-    (wanted as f32) < params.cards.below * whole as f32
+    let whole = || triangle_budget::count(plant, &params.model, stop);
+    wanted > 0
+        && params.cards.below > 0.0
+        && triangle_budget::is_small(plant, whole, wanted, params.cards.below)
 }
 
 /// The remark that a model has more triangles than were asked for, 0 for any number.

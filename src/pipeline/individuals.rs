@@ -101,8 +101,9 @@ impl Grower {
         let Some(built) = self.built(0).filter(|built| has_more(built, wanted as f32)) else { return };
         let (Self::Species { params, .. } | Self::Drawing { params, .. }) = self else { return };
         if may_thin {
-            let few = params.cards.below * built.model.triangle_count() as f32;
-            params.cards.used |= (wanted as f32) < few && !triangle_budget::has_large_flowers(&built.plant);
+            let whole = || built.model.triangle_count() as u64;
+            params.cards.used |=
+                triangle_budget::is_small(&built.plant, whole, u64::from(wanted), params.cards.below);
             params.model.budget.triangles = wanted;
             return;
         }

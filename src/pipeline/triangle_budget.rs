@@ -222,6 +222,12 @@ fn with_few_thorns(plant: FinishedPlant, params: &ModelParams, budget: &Budget<'
     with_thorns(&plant, share)
 }
 
+/// Whether so many triangles are below this share of the `whole` plant's own, so that single leaves would be lost among its wood. Roses
+/// and other large flowers rather become coarser.
+pub(super) fn is_small(plant: &FinishedPlant, whole: impl FnOnce() -> u64, wanted: u64, below: f32) -> bool {
+    !has_large_flowers(plant) && (wanted as f32) < below * whole() as f32
+}
+
 /// Whether a plant has flowers that are more than a few triangles each.
 pub(super) fn has_large_flowers(plant: &FinishedPlant) -> bool {
     are_large(plant, &Foliage::of(plant))
