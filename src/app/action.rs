@@ -135,6 +135,8 @@ pub enum Action {
     ResetPose,
     /// Make it so many times as thick, an organ as large, as it was drawn or grew.
     SizePart(f32),
+    /// Draws out the line of the branch that is chosen to be posed, 0 as it grew, 1 straight.
+    StraightenPart(f32),
     /// Take it away.
     TakeAwayPart,
     /// Put the selected strokes on the clipboard.

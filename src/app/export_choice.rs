@@ -1,5 +1,6 @@
 //! What the export dialog says; kept with the settings.
 
+use crate::pipeline::LevelSet;
 use crate::plant::{OrganClass, OrganKind};
 use serde::{Deserialize, Serialize};
 
@@ -58,6 +59,10 @@ pub struct ExportChoice {
     pub textures: bool,
     /// Leaves of one shape as copies of a mesh, in formats that have a word for it.
     pub copies: bool,
+    /// Levels of detail besides the plant, in formats that have a word for them.
+    pub levels: Option<LevelSet>,
+    /// With them capsules around the wood, by which game engines know what is bumped into.
+    pub capsules: bool,
     /// Picture without ground.
     pub transparent: bool,
     /// Width of the picture in pixels.
@@ -79,6 +84,8 @@ impl Default for ExportChoice {
             garden: true,
             textures: true,
             copies: false,
+            levels: None,
+            capsules: false,
             transparent: false,
             width: 1600,
             height: 1200,
@@ -91,6 +98,11 @@ impl ExportChoice {
     /// Whether nothing would be exported.
     pub fn is_empty(&self) -> bool {
         self.format.is_model() && !(self.branches || self.leaves || self.flowers || self.extras)
+    }
+
+    /// The levels that are exported; none in other formats than GLB.
+    pub fn level_set(&self) -> Option<LevelSet> {
+        self.levels.filter(|_| self.format == ExportFormat::Glb)
     }
 
     /// The same with sizes that a picture can have.

@@ -10,4 +10,8 @@ pub enum PoseDrag {
     Bend,
     /// Moves its base along what it grows on, or over the ground.
     Move,
+    /// Sets it on another branch.
+    Graft,
+    /// Draws a loop around parts that are chosen together.
+    Choose,
 }

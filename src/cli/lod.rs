@@ -6,7 +6,7 @@ use crate::formats::write;
 use crate::input::Sources;
 use crate::model::capsules::capsules;
 use crate::model::{Levels, Model};
-use crate::pipeline::{Built, Level, Params, levels};
+use crate::pipeline::{Built, Level, LevelSet, Params, levels};
 use anyhow::{Result, ensure};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -22,15 +22,8 @@ impl FromStr for Lod {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let counts = |counts: &[u32]| {
-            let triangles = counts.iter().copied().map(Level::Triangles);
-            Self(triangles.chain([Level::Billboards]).collect())
-        };
-        match text {
-            "hero" => return Ok(counts(&[1_000_000, 200_000, 50_000, 10_000])),
-            "game" => return Ok(counts(&[80_000, 25_000, 8_000, 2_000])),
-            "mobile" => return Ok(counts(&[15_000, 4_000, 1_000])),
-            _ => {}
+        if let Some(known) = LevelSet::ALL.into_iter().find(|set| set.name() == text) {
+            return Ok(Self(known.levels()));
         }
         let level = |word: &str| {
             match (word.trim(), word.trim().parse()) {
@@ -76,8 +69,7 @@ pub(super) fn export(
         ensure!(is_model, "{}: levels of detail are models; write .glb or .obj", out.display());
     }
     let mut models = levels(&built.plant, &built.model, params, &lod.0);
-    let wanted = models.len();
-    models.dedup_by_key(|model| model.triangle_count());
+    let wanted = lod.0.len();
     if models.len() < wanted {
         tracing::warn!(
             "{} of {wanted} levels are left out: the plant has fewer triangles",

@@ -3,15 +3,16 @@
 //! They are posed when the species has given the plant its looks: so all else stays as it was, to the last bit, and a flower is
 //! moved with its disc and sepals, a compound leaf with its leaflets. What was drawn or grew with a name is found again by
 //! that. A leaf turns about the place that its stalk stands on, slides along its stem, and goes with that where it was posed;
-//! a petal turns in its flower.
+//! a petal turns in its flower. Grafted, it stands on another branch.
 //!
 //! Limits: organs are not bent, and nothing keeps them from passing through others. Of a flower that stands on no drawn or
 //! grown part, as those of built-in inflorescences, there is no name.
 
+use super::graft::{GraftPlace, GraftPlaces};
 use super::part_names::PartNames;
 use super::poses::{PartFrame, Posed};
-use super::slide::Slide;
-use crate::plant::{Motion, Organ, OrganPart, Origin, Plant};
+use super::slide::{Place, Slide};
+use crate::plant::{FlowerBuds, Motion, Organ, OrganPart, Origin, Plant};
 use crate::sketch::{PartName, PartPose};
 use glam::{Quat, Vec3};
 use std::collections::HashMap;
@@ -116,18 +117,52 @@ impl OrganGroup {
         motion.map_or(Quat::IDENTITY, |motion| motion.turn)
     }
 
-    /// How its pose moves it, and the frame of that.
-    fn posed(&self, plant: &Plant, parent_turn: Quat, pose: &PartPose, scale: f32) -> (Motion, PartFrame) {
+    /// Where a pose grafts it; petals stay in their flower, and what stands on the ground stays there.
+    fn graft(&self, plant: &Plant, places: &GraftPlaces, pose: &PartPose) -> Option<GraftPlace> {
+        let stands_on_wood = self.on.is_some() && (self.flower.is_none() || self.is_flower);
+        places.find(&plant.branches, pose.graft.filter(|_| stands_on_wood)?)
+    }
+
+    /// How its pose moves it, and the frame of that; `graft` is where it stands instead of on its own branch.
+    fn posed(
+        &self,
+        plant: &Plant,
+        parent_turn: Quat,
+        (pose, graft): (&PartPose, Option<&GraftPlace>),
+        scale: f32,
+    ) -> (Motion, PartFrame) {
         let on = self.on.map(|branch| &plant.branches[branch]);
-        let slide = Slide::new(on, self.base, parent_turn * (pose.shift * scale), scale);
-        let foot = (slide.turn * parent_turn * pose.turn).normalize();
+        let (on, stood, carried) = match graft {
+            Some(graft) => {
+                let from = on.and_then(|on| Place::nearest(on, self.base));
+                let set = Slide::between(from, graft.place, self.base);
+                (Some(&plant.branches[graft.branch]), set.to, set.turn * parent_turn)
+            }
+            None => (on, self.base, parent_turn),
+        };
+        let slide = Slide::new(on, stood, carried * (pose.shift * scale), scale);
+        let foot = (slide.turn * carried * pose.turn).normalize();
         let motion = Motion {
             turn: (foot * parent_turn.inverse()).normalize(),
             from: self.base,
             to: slide.to,
             size: pose.thickness,
         };
-        (motion, PartFrame { stood: self.base, parent_turn, foot })
+        (motion, PartFrame { stood, parent_turn: carried, foot })
+    }
+
+    /// Lets it stand on another branch; that may be behind its stalk.
+    fn stand_on(&self, plant: &mut Plant, branch: usize) {
+        if let Some(stalk) = self.stalk {
+            plant.branches[stalk].parent = Some(branch);
+            plant.branches[stalk].level = plant.branches[branch].level + 1;
+            return;
+        }
+        let organs = self.organs.iter().filter(|_| self.flower.is_none());
+        organs.for_each(|organ| plant.organs[*organ].branch = Some(branch));
+        if let Some(flower) = self.flower.filter(|_| self.is_flower) {
+            plant.flowers[flower].branch = Some(branch);
+        }
     }
 
     fn move_by(&self, plant: &mut Plant, motion: &Motion) {
@@ -165,10 +200,15 @@ pub fn pose_organs(
     let pose_of: HashMap<PartName, PartPose> = poses.iter().map(|pose| (pose.part, *pose)).collect();
     let groups = OrganGroup::all(plant, names, |name| pose_of.contains_key(&name));
     poses.retain(|pose| groups.iter().all(|group| group.name != pose.part));
+    let is_any_grafted = pose_of.values().any(|pose| pose.graft.is_some());
+    let places = is_any_grafted.then(|| GraftPlaces::new(plant, names, &[]));
     for group in &groups {
         let parent_turn = group.parent_turn(plant, names, posed);
-        let (motion, frame) = group.posed(plant, parent_turn, &pose_of[&group.name], scale);
+        let pose = &pose_of[&group.name];
+        let graft = places.as_ref().and_then(|places| group.graft(plant, places, pose));
+        let (motion, frame) = group.posed(plant, parent_turn, (pose, graft.as_ref()), scale);
         group.move_by(plant, &motion);
+        graft.iter().for_each(|graft| group.stand_on(plant, graft.branch));
         if group.is_flower {
             let petals = groups.iter().filter(|petal| !petal.is_flower && petal.flower == group.flower);
             for petal in petals {
@@ -178,6 +218,9 @@ pub fn pose_organs(
         posed.organs.insert(group.name, frame);
     }
     take_away(plant, groups.iter().filter(|group| pose_of[&group.name].is_cut));
+    if is_any_grafted {
+        plant.put_parents_first(&mut FlowerBuds::default());
+    }
     debug_assert_eq!(plant.check_invariants(), Ok(()));
 }
 

@@ -1,9 +1,9 @@
-//! Branches turned, bent, made thicker and cut off by the artist (001 §4.3): the wood above goes along, and leaves and flowers
-//! with the place that they grow on.
+//! Branches grafted, turned, bent, straightened, made thicker and cut off by the artist (001 §4.3): the wood above goes along, and
+//! leaves and flowers with the place that they grow on.
 //!
 //! The branches of a plant are joints of a puppet. A pose turns its branch about its base, in the frame that what it grows on has
-//! there, and bends it besides: the bend grows evenly along the branch, and lengths stay. It may also slide the base along
-//! what the branch grows on, or over the ground. So a pose is the same whatever is done to other branches, and a plant without
+//! there, and bends it besides: the bend grows evenly along the branch, and lengths stay. It may draw out its line straight before, slide the
+//! base along what the branch grows on or over the ground, and set it on another branch (`graft.rs`). So a pose is the same whatever is done to other branches, and a plant without
 //! poses is not touched.
 //!
 //! Drawn wood is posed before it grows on, so that growth sees it where it is. Wood that grew is posed when it has grown: the
@@ -12,10 +12,13 @@
 //! Limits: a branch stays on its parent, and no branch becomes thicker than that; the stems of a bush stay on their base. Nothing
 //! keeps moved wood from passing through other wood.
 
+use super::carried::{move_buds, move_organs};
 use super::cut_off::cut_off;
+use super::graft::graft;
 use super::joint::{Joint, joints};
 use super::part_names::PartNames;
 use super::slide::Slide;
+use super::straighten::{straightening, turns_at_points};
 use super::thickness::{Thickened, thicken};
 use crate::geom::polyline;
 use crate::plant::{Branch, Continued, FlowerBuds, Motion, Origin, Plant};
@@ -32,6 +35,8 @@ struct Moved {
     points: Vec<Vec3>,
     /// What they were turned by.
     turns: Vec<Quat>,
+    /// What its foot was turned by, without the straightening of its line.
+    foot: Quat,
     /// Where its base was before it slid, and what the place of its parent there was turned by.
     stood: (Vec3, Quat),
 }
@@ -76,10 +81,7 @@ impl Posed {
         let base = branch.points.first().copied().unwrap_or_default();
         self.wood.get(&branch.origin).map_or_else(
             || PartFrame { stood: base, parent_turn: Quat::IDENTITY, foot: Quat::IDENTITY },
-            |moved| {
-                let foot = moved.turns.first().copied().unwrap_or(Quat::IDENTITY);
-                PartFrame { stood: moved.stood.0, parent_turn: moved.stood.1, foot }
-            },
+            |moved| PartFrame { stood: moved.stood.0, parent_turn: moved.stood.1, foot: moved.foot },
         )
     }
 
@@ -98,8 +100,9 @@ impl Posed {
 /// Poses the branches that strokes drew, and all that grows on them; says where they were. `scale` is what a pixel of the canvas is,
 /// metres. Poses that are left in `poses` are of no branch of the plant.
 pub fn pose_wood(plant: &mut Plant, names: &PartNames, poses: &mut Vec<PartPose>, scale: f32) -> Posed {
+    graft((plant, &mut FlowerBuds::default()), &mut [], (names, poses));
     let moved = pose_branches(plant, &joints(plant, names, &[], poses), scale);
-    move_organs(plant, &moved);
+    move_organs(plant, |branch, at| Some(moved.get(&branch)?.at(at, false)));
     let mut posed = Posed::default();
     posed.insert(&plant.branches, moved);
     posed
@@ -116,13 +119,13 @@ pub fn pose_grown_wood(
     if poses.is_empty() {
         return;
     }
-    let joints = joints(plant, names, continued, poses);
+    let mut continued = continued.to_vec();
+    graft((plant, buds), &mut continued, (names, poses));
+    let joints = joints(plant, names, &continued, poses);
     let moved = pose_branches(plant, &joints, scale);
-    move_organs(plant, &moved);
-    for bud in &mut buds.buds {
-        let motion = bud.branch.and_then(|b| moved.get(&b)).map(|moved| moved.at(bud.base, false));
-        motion.iter().for_each(|motion| bud.move_by(motion));
-    }
+    let motion_on = |branch: usize, at: Vec3| Some(moved.get(&branch)?.at(at, false));
+    move_organs(plant, motion_on);
+    move_buds(buds, motion_on);
     posed.insert(&plant.branches, moved);
     cut_off(plant, buds, &joints);
 }
@@ -154,8 +157,8 @@ fn pose_branches(
         let on_parent = on_parent.unwrap_or(1.0) * foot.slide.thickness.min(1.0);
         let thickened_now = Thickened::new(branch, on_parent, own);
         let moves = |joint: &Joint| {
-            let PartPose { turn, bend, shift, .. } = joint.pose;
-            turn != Quat::IDENTITY || bend != Quat::IDENTITY || shift != Vec3::ZERO
+            let PartPose { turn, bend, straight, shift, .. } = joint.pose;
+            turn != Quat::IDENTITY || bend != Quat::IDENTITY || straight != 0.0 || shift != Vec3::ZERO
         };
         if by_parent.is_some() || own.iter().any(moves) {
             let moved = moved(branch, &foot, own);
@@ -211,31 +214,17 @@ fn moved(branch: &Branch, foot: &Foot, joints: &[Joint]) -> Moved {
         });
         turn.normalize()
     };
-    let turns: Vec<Quat> = arcs.iter().map(|arc| turn_at(*arc)).collect();
+    let straight = straightening(&rest, &arcs, joints);
+    let at_points = arcs.iter().zip(turns_at_points(&straight));
+    let turns: Vec<Quat> = at_points.map(|(arc, straight)| turn_at(*arc) * straight).collect();
     let mut points = Vec::with_capacity(rest.len());
     let mut last = foot.slide.to;
     points.push(last);
-    for (ends, arcs) in rest.windows(2).zip(arcs.windows(2)) {
-        last += turn_at(arcs[0].midpoint(arcs[1])) * (ends[1] - ends[0]);
+    for ((ends, arcs), straight) in rest.windows(2).zip(arcs.windows(2)).zip(straight) {
+        last += turn_at(arcs[0].midpoint(arcs[1])) * straight * (ends[1] - ends[0]);
         points.push(last);
     }
-    Moved { rest, points, turns, stood: foot.stood }
-}
-
-/// Moves flowers, and all organs with the place that they grow on; those of flowers with their flower.
-fn move_organs(plant: &mut Plant, posed: &HashMap<usize, Moved>) {
-    let on =
-        |branch: Option<usize>, at: Vec3| branch.and_then(|b| posed.get(&b)).map(|moved| moved.at(at, false));
-    let motions: Vec<Option<Motion>> =
-        plant.flowers.iter().map(|flower| on(flower.branch, flower.cone.apex)).collect();
-    for (flower, motion) in plant.flowers.iter_mut().zip(&motions) {
-        motion.iter().for_each(|motion| flower.move_by(motion));
-    }
-    for organ in &mut plant.organs {
-        let of_flower = organ.flower.map(|flower| motions[flower]);
-        let motion = of_flower.unwrap_or_else(|| on(organ.branch, organ.base()));
-        motion.iter().for_each(|motion| organ.move_by(motion));
-    }
+    Moved { rest, points, turns, foot: turn_at(0.0), stood: foot.stood }
 }
 
 #[cfg(test)]
@@ -320,6 +309,30 @@ mod tests {
         let halfway = Quat::from_rotation_z(-0.5 * FRAC_PI_2) * Vec3::X;
         assert!(way.distance(halfway) < 1e-3, "the bough is turned half as far: {way}");
         plant.check_invariants().unwrap();
+    }
+
+    #[test]
+    fn a_crooked_bough_is_straight_before_it_is_turned_and_takes_its_twig_along() {
+        let (mut plant, provenance) = tree();
+        let crooked: Vec<Vec3> = plant.branches[1]
+            .points
+            .iter()
+            .enumerate()
+            .map(|(k, point)| *point + Vec3::Y * if k % 4 < 2 { 0.0 } else { 0.02 })
+            .collect();
+        plant.branches[1].points = crooked.clone();
+        let turn = Quat::from_rotation_z(FRAC_PI_2);
+        let straight = PartPose { straight: 1.0, ..pose(2, turn, Quat::IDENTITY) };
+        let posed = posed(&mut plant, &provenance, &[straight]);
+        let bough = &plant.branches[1].points;
+        let (base, length) = (bough[0], polyline::length(&crooked));
+        assert!(bough[20].distance(base + Vec3::Y * length) < 1e-4, "{}", bough[20]);
+        let frame = posed.frame(&plant.branches[1]);
+        assert!(frame.foot.angle_between(turn) < 1e-3, "a new turn starts from the turn alone");
+        assert!(
+            plant.branches[1].axis_at(plant.branches[2].points[0]).0.distance(plant.branches[2].points[0])
+                < 2e-2
+        );
     }
 
     #[test]

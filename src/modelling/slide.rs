@@ -1,4 +1,4 @@
-//! What stands on a branch moved along it, as a leaf is that slides along its stem.
+//! What stands on a branch moved along it, as a leaf is that slides along its stem, or to another branch.
 //!
 //! It comes to the place of the branch that is nearest to where it is moved, keeps its angle with the branch, and the distance
 //! of its base from the axis as a share of the branch's radius. What stands on nothing is moved freely, but what stands on the
@@ -37,19 +37,44 @@ impl Slide {
     }
 
     fn along(on: &Branch, base: Vec3, by: Vec3) -> Option<Self> {
+        Some(Self::between(Place::nearest(on, base), Place::nearest(on, base + by)?, base))
+    }
+
+    /// From a place on what something with its base there stands on to another; from the ground it keeps its direction.
+    pub(super) fn between(from: Option<Place>, to: Place, base: Vec3) -> Self {
+        let Some(from) = from else { return Self { to: to.at, turn: Quat::IDENTITY, thickness: 1.0 } };
+        let turn = Quat::from_rotation_arc(from.way, to.way);
+        let thickness = to.radius / from.radius.max(f32::MIN_POSITIVE);
+        Self { to: to.at + turn * ((base - from.at) * thickness), turn, thickness }
+    }
+}
+
+/// A place on the axis of a branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Where it is, metres.
+    pub(super) at: Vec3,
+    /// Unit direction of the axis there.
+    way: Vec3,
+    /// The branch's radius there, metres.
+    pub(super) radius: f32,
+}
+
+impl Place {
+    /// The nearest to a point; none on a branch without length.
+    pub(super) fn nearest(on: &Branch, to: Vec3) -> Option<Self> {
+        let (_, arc) = polyline::nearest(&on.points, to)?;
+        Self::at(on, |_| arc)
+    }
+
+    /// That so far from the base as `arc` says of the branch's length, metres; none on a branch without length.
+    pub(super) fn at(on: &Branch, arc: impl FnOnce(f32) -> f32) -> Option<Self> {
         let arcs = polyline::arc_lengths(on.points.iter().copied());
-        let place = |at: Vec3| {
-            let (_, arc) = polyline::nearest(&on.points, at)?;
-            let (i, share) = polyline::locate(&arcs, arc);
-            let next = (i + 1).min(on.points.len() - 1);
-            let way = (on.points[next] - on.points[next - 1]).try_normalize()?;
-            let radius = on.radii[i] + (on.radii[next] - on.radii[i]) * share;
-            Some((polyline::interpolate(&on.points, (i, share)), way, radius))
-        };
-        let ((from, from_way, from_radius), (to, to_way, to_radius)) = (place(base)?, place(base + by)?);
-        let turn = Quat::from_rotation_arc(from_way, to_way);
-        let thickness = to_radius / from_radius.max(f32::MIN_POSITIVE);
-        Some(Self { to: to + turn * ((base - from) * thickness), turn, thickness })
+        let (i, share) = polyline::locate(&arcs, arc(*arcs.last()?));
+        let next = i + 1;
+        let way = (*on.points.get(next)? - on.points[i]).try_normalize()?;
+        let radius = on.radii[i] + (on.radii[next] - on.radii[i]) * share;
+        Some(Self { at: polyline::interpolate(&on.points, (i, share)), way, radius })
     }
 }
 

@@ -8,7 +8,7 @@ use crate::plant::Branch;
 use glam::Vec3;
 
 /// Share of its parent's radius that a branch made thicker may have.
-const NARROWER: f32 = 0.92;
+pub(super) const NARROWER: f32 = 0.92;
 
 /// How many times as thick a branch becomes along its line.
 pub(super) struct Thickened {

@@ -14,6 +14,7 @@ use crate::cards::{self, CardParams};
 use crate::garden::{Coarser, Grown, Views};
 use crate::model::{self, Model, ModelParams};
 use crate::plant::FinishedPlant;
+use serde::{Deserialize, Serialize};
 
 /// How much of a plant a level has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +23,42 @@ pub enum Level {
     Triangles(u32),
     /// Two crossing pictures of the plant.
     Billboards,
+}
+
+/// Levels that are known by a name, the finest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LevelSet {
+    /// A plant that stands in front: 1,000,000 triangles and fewer.
+    Hero,
+    /// One of many on a computer: 80,000 and fewer.
+    Game,
+    /// One of many on a telephone: 15,000 and fewer.
+    Mobile,
+}
+
+impl LevelSet {
+    /// Each of them.
+    pub const ALL: [Self; 3] = [Self::Hero, Self::Game, Self::Mobile];
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hero => "hero",
+            Self::Game => "game",
+            Self::Mobile => "mobile",
+        }
+    }
+
+    /// Its levels.
+    pub fn levels(self) -> Vec<Level> {
+        let triangles: &[u32] = match self {
+            Self::Hero => &[1_000_000, 200_000, 50_000, 10_000],
+            Self::Game => &[80_000, 25_000, 8_000, 2_000],
+            Self::Mobile => &[15_000, 4_000, 1_000],
+        };
+        triangles.iter().copied().map(Level::Triangles).chain([Level::Billboards]).collect()
+    }
 }
 
 /// Foliage is cards in levels with less than this share of the plant's triangles.
@@ -44,8 +81,16 @@ const PIXELS_OF_TRIANGLE: f32 = 4.0;
 const VIEWS_BELOW: f32 = 100.0;
 const VIEW_PIXELS: u32 = 112;
 
-/// The models of a plant's levels, in their order; `whole` is its own.
+/// The models of a plant's levels, in their order, without those that are the same again because the plant has too few triangles;
+/// `whole` is its own.
 pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
+    let mut models = all_levels(plant, whole, params, wanted);
+    models.dedup_by_key(|model| model.triangle_count());
+    models
+}
+
+/// The model of each level.
+fn all_levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[Level]) -> Vec<Model> {
     let of_whole = whole.triangle_count() as f32;
     let of_level = |level: &Level| match *level {
         Level::Triangles(most) if most as f32 >= of_whole => whole.clone(),
@@ -76,7 +121,7 @@ fn of_budget(plant: FinishedPlant, params: &Params, most: u32) -> Model {
 
 /// A plant with so many triangles; if these are few and it does not come down to them, two crossing pictures of it.
 pub(super) fn for_garden(plant: &FinishedPlant, whole: &Model, params: &Params, triangles: u32) -> Model {
-    let made = |level| levels(plant, whole, params, &[level]).pop().unwrap_or_default();
+    let made = |level| all_levels(plant, whole, params, &[level]).pop().unwrap_or_default();
     let model = made(Level::Triangles(triangles));
     let is_too_fine = triangles <= FEW && model.triangle_count() > 2 * triangles as usize;
     if is_too_fine { made(Level::Billboards) } else { model }
@@ -101,7 +146,7 @@ fn coarser(plant: &FinishedPlant, finest: &Model, params: &Params) -> Option<Coa
     } else if most < FORM as usize {
         return None;
     } else {
-        levels(plant, finest, params, &[Level::Triangles(FORM)]).pop()?
+        all_levels(plant, finest, params, &[Level::Triangles(FORM)]).pop()?
     };
     let triangles = form.triangle_count();
     let is_worth_it = triangles > 0 && triangles <= most;

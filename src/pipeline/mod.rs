@@ -44,7 +44,7 @@ pub use clock::Clock;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
 pub use individuals::{FEWEST_TRIANGLES, Form, Grower, triangles_of_each};
-pub use levels::{Level, levels};
+pub use levels::{Level, LevelSet, levels};
 pub use painted_garden::GardenMemory;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;

@@ -44,7 +44,7 @@ pub(super) use parse::{garden_drawings, parse};
 pub(super) use write::push_garden_drawings;
 pub use write::write;
 
-use super::{GardenPlant, GardenStroke, GardenTool, Sketch, Stroke, TextureChoice, Tool};
+use super::{GardenPlant, GardenStroke, GardenTool, PartPose, Sketch, Stroke, TextureChoice, Tool};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -57,11 +57,14 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// beside the drawn one. 4: corrections of how strokes are read together. 5: shapes of
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
 /// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on, and strokes of the leaf and the flower brush.
-/// 11: a garden around the plant. 12: ages and other drawings in it.
-pub const VERSION: u32 = 12;
+/// 11: a garden around the plant. 12: ages and other drawings in it. 13: parts that are straightened or grafted.
+pub const VERSION: u32 = 13;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
+    if !sketch.part_poses.iter().all(PartPose::is_of_old_kinds) {
+        return 13;
+    }
     let has_age_or_drawing = |stroke: &Arc<GardenStroke>| match &stroke.tool {
         GardenTool::Plants(GardenPlant::Species { age, .. }) => age.is_some(),
         GardenTool::Plants(GardenPlant::Drawing(_)) => true,

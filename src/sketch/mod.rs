@@ -49,7 +49,7 @@ pub use step::Step;
 pub use stroke_reading::Reading;
 pub use textures::{TextureChoice, Textures};
 
-pub use part_poses::{PartName, PartPose, PartPoses};
+pub use part_poses::{Graft, PartName, PartPose, PartPoses};
 
 pub use crate::picture::Picture;
 

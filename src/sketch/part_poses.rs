@@ -1,5 +1,5 @@
-//! Parts of a plant that the artist turned, bent, moved, made larger or took away in the view of the plant: what a drawing keeps
-//! of it.
+//! Parts of a plant that the artist turned, bent, straightened, moved, grafted, made larger or took away in the view of the plant:
+//! what a drawing keeps of it.
 //!
 //! A part is a branch, or a leaf, a flower, a fruit or a pot. A [`PartPose`] names it by the stroke that drew it, or where it grew by
 //! the way of buds that it grew from, so that it is found again when the plant grows anew, at another age, and where most
@@ -39,7 +39,16 @@ impl fmt::Display for PartName {
     }
 }
 
-/// How a branch or an organ is turned, bent and moved, how large it is, and whether it is there.
+/// Where on another branch a part was grafted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Graft {
+    /// The branch that it stands on now.
+    pub onto: PartName,
+    /// How far along that, as a share of its length, 0 to 1.
+    pub at: f32,
+}
+
+/// How a branch or an organ is turned, bent, moved and grafted, how large it is, and whether it is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartPose {
     /// The branch or organ.
@@ -48,6 +57,10 @@ pub struct PartPose {
     pub turn: Quat,
     /// Turn from base to end besides, which grows evenly along its length; organs are not bent.
     pub bend: Quat,
+    /// How far the line of a branch is drawn out straight, from 0, as it grew, to 1; organs are not straightened.
+    pub straight: f32,
+    /// The other branch that it stands on; it is moved from there.
+    pub graft: Option<Graft>,
     /// How its base is moved, pixels of the canvas. What grows on a branch then stands where that comes nearest to there, and what
     /// stands on the ground stays on it.
     pub shift: Vec3,
@@ -64,12 +77,17 @@ impl PartPose {
     /// The pose of a part that is as it was drawn or grew.
     pub fn still(part: PartName) -> Self {
         let (turn, bend, shift) = (Quat::IDENTITY, Quat::IDENTITY, Vec3::ZERO);
-        Self { part, turn, bend, shift, thickness: 1.0, is_cut: false }
+        Self { part, turn, bend, straight: 0.0, graft: None, shift, thickness: 1.0, is_cut: false }
     }
 
     /// Whether it changes nothing.
     pub fn is_still(&self) -> bool {
         *self == Self::still(self.part)
+    }
+
+    /// Whether drawings held poses like this one before parts were straightened and grafted.
+    pub(super) fn is_of_old_kinds(&self) -> bool {
+        self.straight == 0.0 && self.graft.is_none()
     }
 
     /// Whether drawings held poses like this one before wood that grew was posed.
@@ -122,6 +140,10 @@ pub(super) fn check_one(pose: &PartPose) -> Result<(), String> {
             "the `shift` of {part} is too far; write three numbers of at most {farthest} pixels"
         ));
     }
+    if !(0.0..=1.0).contains(&pose.straight) {
+        return Err(format!("the `straight` of {part} is {}; write a number from 0 to 1", pose.straight));
+    }
+    check_graft(pose)?;
     if !THICKNESSES.contains(&pose.thickness) {
         let (least, most) = (THICKNESSES.start(), THICKNESSES.end());
         return Err(format!(
@@ -131,6 +153,20 @@ pub(super) fn check_one(pose: &PartPose) -> Result<(), String> {
     }
     if pose.is_cut && matches!(part, PartName::Stroke(_)) {
         return Err(format!("{part} is `cut`; leave out the stroke instead"));
+    }
+    Ok(())
+}
+
+/// What is wrong with the graft of a pose, in words.
+fn check_graft(pose: &PartPose) -> Result<(), String> {
+    let (part, Some(Graft { onto, at })) = (pose.part, pose.graft) else { return Ok(()) };
+    if onto == part {
+        return Err(format!("{part} is grafted onto itself; name another branch in its `graft`"));
+    }
+    if !(0.0..=1.0).contains(&at) {
+        return Err(format!(
+            "the `at` of the `graft` of {part} is {at}; write a share of its length, 0 to 1"
+        ));
     }
     Ok(())
 }

@@ -2,10 +2,12 @@
 //!
 //! A tree is drawn with leaf outlines, hundreds of leaves at once; nobody draws its petals. The chosen leaves give
 //! their place and direction to a flower of the species' first look, which the rest of [`super::apply()`] treats like
-//! any drawn flower. Each is as large as the leaf in whose place it stands, so that flowers open as buds grow.
+//! any drawn flower. Each is as large as the leaf in whose place it stands, so that flowers open as buds grow. Where a leaf is the
+//! picture of a whole shoot, as of an apple, a cluster of flowers stands on it and the leaf stays.
 
 use super::looks::BlossomLook;
 use super::sepals::blade_at;
+use crate::geom::GOLDEN_RAD;
 use crate::plant::{
     BladeForm, Cone, Detail, Flower, FlowerBud, FlowerBuds, Organ, OrganKind, OrganPart, Origin, Plant,
     ResolvedBlade, Role, Shape, Template, TemplateId,
@@ -17,6 +19,12 @@ use std::f32::consts::TAU;
 
 /// Radius of the flower's centre, as a share of the reach.
 const CENTRE: f32 = 0.08;
+/// Distance of the second flower of a cluster from the first, in reaches; others lie about both as seeds of a sunflower do.
+const APART: f32 = 1.15;
+/// How far the outermost flowers of a cluster lean outward, as a share of their distance from its middle over their reach.
+const LEAN: f32 = 0.4;
+/// How high over a leaf that stays its flowers stand, in reaches.
+const ABOVE: f32 = 0.45;
 
 /// Opens a plant's flower buds and replaces leaves by flowers, whose petals are all copies of one template. Says whether fewer
 /// open than the species asks for, because a plant may not have more than `most`.
@@ -32,8 +40,9 @@ pub(super) fn blossom(
     let length = reach * (1.0 - CENTRE);
     let outline = notched(length, look);
     let template = plant.templates.add(Template::new(outline, Vec::new(), length, Detail::Reduced));
-    let share = affordable_share(plant, look.share, most.saturating_sub(buds.buds.len()));
-    let room = (plant.organs.len() as f32 * (1.0 + share * look.petals as f32)) as usize;
+    let most = most.saturating_sub(buds.buds.len()) / look.cluster as usize;
+    let share = affordable_share(plant, look.share, most);
+    let room = (plant.organs.len() as f32 * (1.0 + share * (look.petals * look.cluster) as f32)) as usize;
     let organs = std::mem::replace(&mut plant.organs, Vec::with_capacity(room));
     let open = |plant: &mut Plant, bud: &FlowerBud, rng: &mut Pcg64Mcg| {
         let size = bud.v.length() / mean;
@@ -43,17 +52,38 @@ pub(super) fn blossom(
     };
     for organ in organs {
         let opens = is_generated_leaf(&organ) && rng.random_bool(f64::from(share));
-        match &organ.shape {
-            Shape::Blade(leaf) if opens => {
-                let bud = bud_of(&plant.templates.resolve(leaf), &organ);
-                open(plant, &bud, rng);
-            }
-            _ => plant.organs.push(organ),
+        let bud = match &organ.shape {
+            Shape::Blade(leaf) if opens => Some(bud_of(&plant.templates.resolve(leaf), &organ)),
+            _ => None,
+        };
+        if let Some(bud) = &bud {
+            // Most stand at the outer end.
+            let along =
+                if look.along > 0.0 { look.along * rng.random_range(0.0..=1.0_f32).sqrt() } else { 0.0 };
+            let flowers = (0..look.cluster).map(|nth| clustered(bud, nth, along, reach, look));
+            flowers.for_each(|bud| open(plant, &bud, rng));
+        }
+        if bud.is_none() || look.with_leaves {
+            plant.organs.push(organ);
         }
     }
     buds.buds.iter().for_each(|bud| open(plant, bud, rng));
     plant.drop_unused_templates();
     buds.is_thinned || share < look.share
+}
+
+/// The bud of a cluster's `nth` flower, the first of which stands so far along the leaf, in its length.
+fn clustered(leaf: &FlowerBud, nth: u32, along: f32, reach: f32, look: &BlossomLook) -> FlowerBud {
+    let (across, out) = (leaf.u.normalize_or(Vec3::X), leaf.v.normalize_or(Vec3::Y));
+    let face = across.cross(out);
+    // Over a leaf that stays the sky is looked at, whichever of its sides that faces.
+    let above = if look.with_leaves { ABOVE.copysign(face.y) } else { 0.0 };
+    let (distance, angle) = (APART * (nth as f32).sqrt(), GOLDEN_RAD * nth as f32);
+    let aside = (across * angle.cos() + out * angle.sin()) * distance;
+    let base = leaf.base + leaf.v * along + (aside + face * above) * reach;
+    let turn = Quat::from_rotation_arc(out, (out + aside * LEAN).normalize_or(out));
+    let u = turn * leaf.u * if above < 0.0 { -1.0 } else { 1.0 };
+    FlowerBud { base, u, v: turn * leaf.v, ..*leaf }
 }
 
 /// The bud in a leaf's place.

@@ -374,10 +374,14 @@ crate::parameters! {
 }
 
 crate::parameters! {
-    /// Small flowers in place of some of a tree's leaves, in the first look of the species' flowers.
+    /// Small flowers in place of some of a tree's leaves or beside them, in the first look of the species' flowers.
     pub struct BlossomLook {
-        /// Share of the leaves that are flowers.
+        /// Share of the leaves that are flowers, or have some.
         share: f32, 0.0..=1.0, "";
+        /// Flowers that stand together at a leaf's place.
+        cluster: u32 = 1, 1..=24, "";
+        /// How far out along the leaf they stand at most.
+        along: f32 = 0.0, 0.0..=1.0, "of the leaf's length";
         /// Petals of each.
         petals: u32, 0..=200, "";
         /// Distance from centre to tip, share of the leaves' mean length.
@@ -388,6 +392,9 @@ crate::parameters! {
         notch: f32 = 0.0, 0.0..=1.0, "of the length";
         /// Angle between axis and petals, degrees.
         opening_deg: f32, 0.0..=180.0, "degrees";
+        others:
+        /// Whether leaves stay, with their flowers on the side that faces the sky.
+        with_leaves: bool = false;
     }
 }
 

@@ -14,6 +14,7 @@ use penstemon::app::tablet_keys::KeyUse;
 use penstemon::pen::calibration::CROSSES;
 use penstemon::pen::mapping::Turn;
 use penstemon::pen::{PenSource, PressureCurve};
+use penstemon::pipeline::LevelSet;
 
 fn with_dialog(dialog: Dialog) -> Harness<'static, Stage> {
     let mut snapshot = busy();
@@ -242,6 +243,22 @@ fn the_export_dialog_keeps_what_is_chosen_and_refuses_nothing_at_all() {
     harness.run();
     press(&mut harness, "Export…");
     assert_eq!(asked(&mut harness), []);
+}
+
+#[test]
+fn levels_of_detail_are_chosen_for_a_glb_and_say_their_triangles() {
+    let mut harness = with_dialog(Dialog::Export);
+    press(&mut harness, "Game");
+    let with = ExportChoice { levels: Some(LevelSet::Game), ..ExportChoice::default() };
+    assert_eq!(asked(&mut harness), [Action::SetExport(with.clone())]);
+    harness.state_mut().snapshot.export = with.clone();
+    harness.run();
+    assert!(harness.query_by_label_contains("80\u{2009}000 · 25\u{2009}000").is_some());
+    press(&mut harness, "Capsules for collisions");
+    assert_eq!(asked(&mut harness), [Action::SetExport(ExportChoice { capsules: true, ..with.clone() })]);
+    harness.state_mut().snapshot.export = ExportChoice { format: ExportFormat::Obj, ..with };
+    harness.run();
+    assert!(harness.query_by_label_contains("Levels of detail").is_none(), "OBJ has no word for levels");
 }
 
 #[test]

@@ -133,6 +133,11 @@ fn poses_of_branches_that_mean_nothing_are_refused() {
         (r#"{"grown": "00000000000000ff", "thickness": 9}"#, "write a number from 0.2 to 5"),
         (r#"{"stroke": 4, "shift": [0, 2e7, 0]}"#, "the `shift` of stroke 4 is too far"),
         (r#"{"stroke": 4, "shift": [0, 1]}"#, "an array of length 3"),
+        (r#"{"stroke": 4, "straight": 1.5}"#, "the `straight` of stroke 4 is 1.5"),
+        (r#"{"stroke": 4, "graft": {"stroke": 4, "at": 0.5}}"#, "stroke 4 is grafted onto itself"),
+        (r#"{"stroke": 4, "graft": {"stroke": 3, "at": -1}}"#, "a share of its length"),
+        (r#"{"stroke": 4, "graft": {"at": 1}}"#, "a `graft` has one of `stroke` and `grown`"),
+        (r#"{"stroke": 4, "graft": {"stroke": 3}}"#, "missing field `at`"),
         (r#"{"stroke": 4, "cut": true}"#, "leave out the stroke"),
         (r#"{"stroke": 4, "why": 1}"#, "unknown field `why`"),
     ] {
@@ -208,11 +213,11 @@ fn files_of_other_kinds() {
 
 #[test]
 fn other_versions() {
-    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 13, "strokes": []}"#;
-    assert_message(newer, &["version 13", "reads versions 1 to 12", "newer Penstemon"]);
+    let newer = r#"{"format": "penstemon-sketch", "layers": [], "version": 14, "strokes": []}"#;
+    assert_message(newer, &["version 14", "reads versions 1 to 13", "newer Penstemon"]);
     assert_message(
         &GOOD.replace("\"version\": 1", "\"version\": 0"),
-        &["version 0", "reads versions 1 to 12"],
+        &["version 0", "reads versions 1 to 13"],
     );
     assert_message(&GOOD.replace("\"version\": 1,", ""), &["`version` is missing"]);
     assert_message(&GOOD.replace("\"version\": 1", "\"version\": \"one\""), &["\"one\"", "line 1"]);

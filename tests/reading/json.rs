@@ -3,8 +3,8 @@
 use super::{read, with_points, with_strokes};
 use glam::{Quat, Vec2, Vec3, vec2};
 use penstemon::sketch::{
-    Brush, Canvas, Correction, GardenDrawing, GardenPlant, GardenPoint, GardenStroke, GardenTool, Maker,
-    PartName, PartPose, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
+    Brush, Canvas, Correction, GardenDrawing, GardenPlant, GardenPoint, GardenStroke, GardenTool, Graft,
+    Maker, PartName, PartPose, PetalShape, Picture, PlacedPlant, Reading, Reference, SeedOf, Sketch, Stroke,
     StrokePoint, TextureChoice, Tool, Verdict, from_bytes, json, limits, textures,
 };
 use proptest::prelude::*;
@@ -181,12 +181,28 @@ fn part_poses() -> impl Strategy<Value = Vec<PartPose>> {
     };
     let thickness = || prop_oneof![Just(1.0_f32), 0.2_f32..5.0];
     let shift = || prop_oneof![Just(Vec3::ZERO), prop::array::uniform3(-1e7_f32..1e7).prop_map(Vec3::from)];
-    let one = || (any::<bool>(), turn(), turn(), shift(), thickness(), any::<bool>());
-    let poses = prop::collection::btree_map(any::<u64>(), one(), 0..4);
+    let straight = || prop_oneof![Just(0.0_f32), 0.0_f32..=1.0];
+    let part =
+        || prop_oneof![any::<u64>().prop_map(PartName::Grown), any::<u64>().prop_map(PartName::Stroke)];
+    let graft = || prop::option::of((part(), 0.0_f32..=1.0).prop_map(|(onto, at)| Graft { onto, at }));
+    let made = (turn(), turn(), straight(), graft(), shift(), thickness(), any::<bool>());
+    let made = made.prop_map(|(turn, bend, straight, graft, shift, thickness, is_cut)| PartPose {
+        part: PartName::Stroke(0),
+        turn,
+        bend,
+        straight,
+        graft,
+        shift,
+        thickness,
+        is_cut,
+    });
+    let poses = prop::collection::btree_map(part(), made, 0..4);
     poses.prop_map(|poses| {
-        let pose = |(name, (grew, turn, bend, shift, thickness, is_cut))| {
-            let part = if grew { PartName::Grown(name) } else { PartName::Stroke(name) };
-            PartPose { part, turn, bend, shift, thickness, is_cut: is_cut && grew }
+        let pose = |(part, made): (PartName, PartPose)| PartPose {
+            part,
+            graft: made.graft.filter(|graft| graft.onto != part),
+            is_cut: made.is_cut && matches!(part, PartName::Grown(_)),
+            ..made
         };
         poses.into_iter().map(pose).collect()
     })

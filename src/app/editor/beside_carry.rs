@@ -27,6 +27,9 @@ impl Editor {
         if self.petals.hold.is_some() {
             return self.drag_control_point(to);
         }
+        if self.draw_loop(to) {
+            return;
+        }
         if self.posing.ring.is_some() {
             return self.drag_ring(to);
         }

@@ -1,7 +1,7 @@
 //! The size of an export, estimated before it is made.
 //!
 //! Of a model the triangles of the chosen parts and the pictures of their materials count; of a drawing its samples. How
-//! large a picture of the plant becomes depends on what is on it: nobody knows before.
+//! large a picture of the plant becomes depends on what is on it, and levels of detail on their cards: nobody knows before.
 
 use crate::app::panels::snapshot::{ExportChoice, ExportFormat};
 use crate::app::texture_files::built_in_texture;
@@ -27,6 +27,7 @@ pub(super) fn bytes(
     let garden = garden.filter(|_| choice.garden);
     match choice.format {
         ExportFormat::Png => None,
+        ExportFormat::Glb if choice.levels.is_some() => None,
         ExportFormat::Svg => {
             let samples: usize = sketch.strokes.iter().map(|stroke| stroke.points.len()).sum();
             Some(samples as u64 * BYTES_PER_SAMPLE)

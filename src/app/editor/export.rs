@@ -9,10 +9,12 @@ use crate::app::messages::Localize;
 use crate::app::panels::snapshot::{self, ExportChoice, ExportFormat};
 use crate::app::texture_files::{self, built_in_texture};
 use crate::app::view_state::ViewState;
+use crate::app::worker::BuildError;
 use crate::formats::write::{self, ExportError, InstanceForm, Surfaces};
 use crate::input::Sources;
-use crate::model::Model;
-use crate::pipeline::{self, Built};
+use crate::model::capsules::capsules;
+use crate::model::{Levels, Model};
+use crate::pipeline::{self, Built, LevelSet, SetupError};
 use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
@@ -59,6 +61,8 @@ pub(super) struct Order {
     pub(super) camera: OrbitCamera,
     pub(super) light: LightParams,
     pub(super) view: ViewState,
+    /// The folder of the drawing, in which its species may be.
+    pub(super) folder: PathBuf,
     /// The files that the plant comes from.
     pub(super) sources: Sources,
 }
@@ -119,18 +123,45 @@ fn export(order: &Order, shared: &Shared) -> Result<usize, Failure> {
             let text = crate::sketch::svg::write(&order.sketch);
             write(order, &order.path, text.as_bytes())
         }
-        ExportFormat::Obj | ExportFormat::Glb => {
-            let model = chosen_parts(&order.built.model, &order.choice);
-            shared.advance(0.3);
-            let (paths, built) = ([order.path.clone()], &order.built);
-            let plant = (&built.plant, &built.provenance);
-            let form = form_of_copies(&order.choice);
-            let garden = built.garden.as_deref().filter(|_| order.choice.garden);
-            let surfaces = Surfaces { garden, ..(&model).into() };
-            write::export_all(&paths, surfaces, plant, &built_in_texture, form, &order.sources).map_err(boxed)
-        }
+        ExportFormat::Obj | ExportFormat::Glb => match order.choice.level_set() {
+            Some(set) => write_levels(order, set, shared),
+            None => write_model(order, shared),
+        },
         ExportFormat::Png => write_pictures(order, shared),
     }
+}
+
+/// The plant as it is.
+fn write_model(order: &Order, shared: &Shared) -> Result<usize, Failure> {
+    let model = chosen_parts(&order.built.model, &order.choice);
+    shared.advance(0.3);
+    let (paths, built) = ([order.path.clone()], &order.built);
+    let plant = (&built.plant, &built.provenance);
+    let form = form_of_copies(&order.choice);
+    let garden = built.garden.as_deref().filter(|_| order.choice.garden);
+    let surfaces = Surfaces { garden, ..(&model).into() };
+    write::export_all(&paths, surfaces, plant, &built_in_texture, form, &order.sources).map_err(boxed)
+}
+
+/// The plant in levels of detail.
+fn write_levels(order: &Order, set: LevelSet, shared: &Shared) -> Result<usize, Failure> {
+    let Order { built, choice, .. } = order;
+    let (species, _) = pipeline::species_or_usual(&order.sketch, &order.folder).map_err(setup_failure)?;
+    let params = pipeline::params_of(&order.sketch, &species, &[]).map_err(setup_failure)?;
+    let models = pipeline::levels(&built.plant, &built.model, &params, &set.levels());
+    shared.advance(0.7);
+    let mut levels = Levels::of(models.iter().map(|model| chosen_parts(model, choice)));
+    if choice.capsules {
+        levels.model.add_capsules(&capsules(&built.plant));
+    }
+    let surfaces = Surfaces { level_of_specimen: &levels.of_specimen, ..(&levels.model).into() };
+    let (paths, plant) = ([order.path.clone()], (&built.plant, &built.provenance));
+    let form = form_of_copies(choice);
+    write::export_all(&paths, surfaces, plant, &built_in_texture, form, &order.sources).map_err(boxed)
+}
+
+fn setup_failure(error: impl Into<SetupError>) -> Failure {
+    boxed(BuildError::from(error.into()))
 }
 
 /// Writes a file, unless it is one that the plant comes from.

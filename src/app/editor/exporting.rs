@@ -17,6 +17,7 @@ impl Editor {
             path,
             choice: self.prefs.settings().export.clone().sane(),
             sketch: self.sketch().clone(),
+            folder: self.drawing.folder().to_owned(),
             camera: self.plant.camera(),
             light: self.plant.light(),
             view: self.plant.state,
@@ -48,5 +49,40 @@ impl Editor {
             Some(Err(failure)) => self.notify_error(&*failure),
             None => self.notify(Notice::error(self.prefs.messages().get(Msg::NoticeExportFailed), "")),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::app::action::Action;
+    use crate::app::editor::test_window::{PATIENCE, with_sketch};
+    use crate::app::panels::snapshot::ExportChoice;
+    use crate::pipeline::LevelSet;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn a_glb_holds_the_levels_and_capsules_that_were_chosen() {
+        let home = tempfile::tempdir().unwrap();
+        let (mut editor, _) = with_sketch(&home, "freehand_tree");
+        let choice =
+            ExportChoice { levels: Some(LevelSet::Mobile), capsules: true, ..ExportChoice::default() };
+        editor.perform(Action::SetExport(choice));
+        let path = home.path().join("tree.glb");
+        editor.begin_export(path.clone());
+        let begun = Instant::now();
+        while editor.disk.exports.is_busy() {
+            assert!(begun.elapsed() < PATIENCE, "it is written for ever");
+            std::thread::sleep(Duration::from_millis(5));
+            editor.collect_export();
+        }
+        let bytes = std::fs::read(path).unwrap();
+        let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+        let json: serde_json::Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
+        let names: Vec<&str> =
+            json["nodes"].as_array().unwrap().iter().filter_map(|node| node["name"].as_str()).collect();
+        for name in ["tree_LOD0", "tree_LOD3", "UCP_wood_LOD0_01"] {
+            assert!(names.contains(&name), "{name} of {names:?}");
+        }
+        assert!(json["extensionsUsed"].as_array().unwrap().iter().any(|used| used == "MSFT_lod"));
     }
 }

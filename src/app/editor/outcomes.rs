@@ -53,7 +53,12 @@ impl Editor {
         self.carry();
         self.draw_in_space();
         if matches!(event.phase, PenPhase::Up | PenPhase::Leave | PenPhase::Cancel) {
-            (self.petals.hold, self.posing.hold, self.posing.ring) = (None, None, None);
+            if event.phase == PenPhase::Up {
+                self.close_loop(keys.shift);
+            }
+            self.petals.hold = None;
+            self.posing.release();
+            self.posing.choosing = None;
             self.drawing.end_merging();
         }
     }

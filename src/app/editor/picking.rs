@@ -22,10 +22,10 @@ impl Editor {
             }
             return None;
         }
-        let chosen = picked.and_then(|picked| self.part_to_choose(picked.element));
-        if chosen.is_some() {
+        let chosen = picked.and_then(|picked| self.part_to_choose(picked.element, click.besides));
+        if let Some(chosen) = chosen {
             self.drawing.end_merging();
-            self.posing.last = chosen;
+            self.choose_part(chosen, click.besides);
             return None;
         }
         let Some(picked) = picked else {

@@ -102,10 +102,4 @@ impl Editor {
         strokes.dedup();
         strokes
     }
-
-    /// Place in the plant of the branch that is chosen.
-    pub(super) fn chosen_branch(&self) -> Option<usize> {
-        let (built, name) = self.built().zip(self.posing.last)?;
-        built.names.branch(&built.plant, name)
-    }
 }

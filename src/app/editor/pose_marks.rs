@@ -1,14 +1,15 @@
-//! What is painted over the plant of the part that is chosen to be posed: the line of a branch with all that goes along with it, the
-//! outlines of leaves and petals, and where the part stands.
+//! What is painted over the plant of the parts that are chosen to be posed: the lines of branches with all that goes along with them, the
+//! outlines of leaves and petals, and where the last part stands; and the loop that chooses some.
 
 use super::Editor;
 use super::beside::to_points;
-use super::posable::{Part, Posable};
 use crate::app::theme::Palette;
 use crate::modelling::OrganGroup;
 use crate::plant::{FinishedPlant, Organ, Shape};
+use crate::sketch::PartName;
 use egui::Painter;
 use glam::{Vec2, Vec3};
+use std::collections::HashSet;
 use std::f32::consts::TAU;
 
 /// Most lines that are painted.
@@ -17,43 +18,60 @@ const MOST_LINES: usize = 500;
 const PIECES: usize = 32;
 
 impl Editor {
-    /// Paints the part that is chosen, and where it turns.
-    pub(super) fn paint_chosen_part(&self, painter: &Painter, palette: &Palette) {
-        let chosen = self.posing.last.filter(|_| self.posing.is_on);
-        let Some((built, Posable { base, part, .. })) =
-            self.built().zip(chosen.and_then(|name| self.posable(name)))
-        else {
+    /// Paints the parts that are chosen, where the last of them turns, and the loop that is drawn around some.
+    pub(super) fn paint_chosen_parts(&self, painter: &Painter, palette: &Palette) {
+        if !self.posing.is_on {
             return;
-        };
+        }
+        let scale = self.plant.pixels_per_point();
         let paint = |points: &[Vec3], width: f32| {
             let seen = points.iter().filter_map(|point| self.plant.seen_at(*point));
-            let line = seen.map(|at| to_points(at, self.plant.pixels_per_point())).collect();
+            let line = seen.map(|at| to_points(at, scale)).collect();
             painter.line(line, (width, palette.accent));
         };
-        match part {
-            Part::Organs(group) => outlines(&built.plant, &group).iter().for_each(|line| paint(line, 1.5)),
-            Part::Branch(_) => self.paint_chosen_branch(paint),
+        self.paint_chosen_branches(paint);
+        for group in self.chosen_organs() {
+            let Some(built) = self.built() else { return };
+            outlines(&built.plant, &group).iter().for_each(|line| paint(line, 1.5));
         }
-        if let Some(at) = self.plant.seen_at(base) {
-            let at = to_points(at, self.plant.pixels_per_point());
-            painter.circle(at, 5.0, palette.accent, (1.5, palette.panel));
+        let last = self.posing.last.and_then(|name| self.plant.seen_at(self.posable(name)?.base));
+        if let Some(at) = last {
+            painter.circle(to_points(at, scale), 5.0, palette.accent, (1.5, palette.panel));
+        }
+        if let Some(places) = &self.posing.choosing {
+            let places = places.iter().map(|at| to_points(*at, scale)).collect();
+            painter.line(places, (1.5, palette.accent));
         }
     }
 
-    /// Paints the line of the branch that is chosen, and thinner ones of what goes along with it.
-    fn paint_chosen_branch(&self, paint: impl Fn(&[Vec3], f32)) {
-        let Some((built, chosen)) = self.built().zip(self.chosen_branch()) else { return };
+    /// The leaves, flowers and other organs that are chosen, as many as are painted.
+    fn chosen_organs(&self) -> Vec<OrganGroup> {
+        let Some(built) = self.built() else { return Vec::new() };
+        let chosen: HashSet<PartName> = self.chosen_parts().take(MOST_LINES).collect();
+        if chosen.is_empty() {
+            return Vec::new();
+        }
+        OrganGroup::all(&built.plant, &built.names, |name| chosen.contains(&name))
+    }
+
+    /// Paints the lines of the branches that are chosen, and thinner ones of what goes along with them.
+    fn paint_chosen_branches(&self, paint: impl Fn(&[Vec3], f32)) {
+        let Some(built) = self.built() else { return };
+        let chosen: HashSet<PartName> = self.chosen_parts().collect();
+        if chosen.is_empty() {
+            return;
+        }
         let branches = &built.plant.branches;
         let mut goes_along = vec![false; branches.len()];
-        goes_along[chosen] = true;
         let mut painted = 0;
-        for (index, branch) in branches.iter().enumerate().skip(chosen) {
-            goes_along[index] |= branch.parent.is_some_and(|parent| goes_along[parent]);
+        for (index, branch) in branches.iter().enumerate() {
+            let is_chosen = built.names.of(branch.origin).is_some_and(|name| chosen.contains(&name));
+            goes_along[index] = is_chosen || branch.parent.is_some_and(|parent| goes_along[parent]);
             if !goes_along[index] || painted == MOST_LINES {
                 continue;
             }
             painted += 1;
-            paint(&branch.points, if index == chosen { 3.0 } else { 1.0 });
+            paint(&branch.points, if is_chosen { 3.0 } else { 1.0 });
         }
     }
 }

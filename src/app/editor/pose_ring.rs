@@ -10,7 +10,7 @@ use super::pose_tool::RingHold;
 use super::posing::turned;
 use crate::app::pose_drag::PoseDrag;
 use crate::app::theme::Palette;
-use crate::sketch::part_poses::pose_of;
+use crate::sketch::PartPose;
 use egui::{Align2, FontId, Painter, Stroke, vec2};
 use glam::{DVec2, Quat};
 
@@ -33,7 +33,8 @@ impl Editor {
     /// Takes hold of the ring at a place in the window, physical pixels; whether it is there.
     pub(super) fn hold_ring(&mut self, at: DVec2) -> bool {
         self.posing.ring = self.ring_hold(at);
-        if self.posing.ring.is_some() {
+        if let Some(ring) = &self.posing.ring {
+            self.posing.held_others = self.other_holds(ring.held.before.part);
             // A plant that becomes larger under the pointer does not move away from it.
             self.plant.take_hold();
         }
@@ -46,9 +47,9 @@ impl Editor {
             return None;
         }
         let name = self.posing.last?;
-        let (before, frame) = (pose_of(&self.sketch().part_poses, name), self.posable(name)?.frame);
+        let held = self.held(name)?;
         let sight = self.plant.ray(self.plant.place(centre))?.direction;
-        Some(RingHold { before, frame, sight, centre, last: at, angle: 0.0 })
+        Some(RingHold { held, sight, centre, last: at, angle: 0.0 })
     }
 
     /// Turns the part whose ring is held with the pointer.
@@ -60,9 +61,11 @@ impl Editor {
         ring.last = to;
         // Down is positive in the window, so the angle runs clockwise, as turns about the line of sight do.
         let turn = Quat::from_axis_angle(ring.sight, ring.angle as f32);
-        let (before, frame) = (ring.before, ring.frame);
-        let bends = self.posing.drag == PoseDrag::Bend && self.chosen_branch().is_some();
-        self.pose(turned(&before, &frame, turn, bends));
+        let held = ring.held;
+        let bends = self.posing.drag == PoseDrag::Bend && !held.is_stiff;
+        let all = [&held].into_iter().chain(&self.posing.held_others);
+        let poses: Vec<PartPose> = all.map(|held| turned(held, turn, bends)).collect();
+        self.pose(poses);
     }
 
     /// Paints the ring, and while it is held by how many degrees it has turned.

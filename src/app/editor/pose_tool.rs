@@ -5,16 +5,26 @@ use crate::modelling::PartFrame;
 use crate::sketch::{PartName, PartPose};
 use glam::{DVec2, Vec3};
 
-/// A part that is held.
+/// A part as it was when it was taken hold of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Held {
+    /// Its pose, and what that starts from.
+    pub(super) before: PartPose,
+    pub(super) frame: PartFrame,
+    /// Where it begins, metres.
+    pub(super) base: Vec3,
+    /// Whether it is a leaf, a flower or another organ, which does not bend.
+    pub(super) is_stiff: bool,
+}
+
+/// A part that is held at a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PartHold {
     /// What the drag does.
     pub(super) drag: PoseDrag,
-    /// Its pose before, and what that starts from.
-    pub(super) before: PartPose,
-    pub(super) frame: PartFrame,
-    /// Where it begins and where it is held, metres.
-    pub(super) base: Vec3,
+    /// The part.
+    pub(super) held: Held,
+    /// Where it is held, metres.
     pub(super) grip: Vec3,
     /// How far along it that is, 0 to 1.
     pub(super) share: f32,
@@ -23,9 +33,8 @@ pub(super) struct PartHold {
 /// The ring around the base of a part, held.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RingHold {
-    /// The part's pose before, and what that starts from.
-    pub(super) before: PartPose,
-    pub(super) frame: PartFrame,
+    /// The part.
+    pub(super) held: Held,
     /// From the eye to the base, of unit length.
     pub(super) sight: Vec3,
     /// Middle of the ring and where the pointer was last, physical pixels of the window.
@@ -47,11 +56,40 @@ pub(super) struct PoseTool {
     pub(super) is_fine: bool,
     /// The part that was held or chosen last.
     pub(super) last: Option<PartName>,
+    /// Others that are chosen with it.
+    pub(super) others: Vec<PartName>,
+    /// These as they were when one was taken hold of.
+    pub(super) held_others: Vec<Held>,
+    /// The loop that is drawn around parts, physical pixels of the window.
+    pub(super) choosing: Option<Vec<DVec2>>,
 }
 
 impl PoseTool {
-    /// Lets go of the part.
+    /// Lets go of all parts.
     pub(super) fn let_go(&mut self) {
-        (self.hold, self.ring, self.last) = (None, None, None);
+        self.release();
+        (self.last, self.choosing) = (None, None);
+        self.others.clear();
+    }
+
+    /// Chooses what is dragged: if it is among those that are chosen, they stay so.
+    pub(super) fn take_up(&mut self, part: PartName) {
+        if self.last == Some(part) {
+            return;
+        }
+        match self.others.iter().position(|other| *other == part) {
+            Some(place) => {
+                self.others.remove(place);
+                self.others.extend(self.last);
+            }
+            None => self.others.clear(),
+        }
+        self.last = Some(part);
+    }
+
+    /// Takes the hand from what is held; it stays chosen.
+    pub(super) fn release(&mut self) {
+        (self.hold, self.ring) = (None, None);
+        self.held_others.clear();
     }
 }

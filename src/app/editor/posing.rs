@@ -1,9 +1,9 @@
-//! Parts of the plant turned, bent, moved, made larger and taken away in its view (001 §4.3): a drag that begins on a part turns it
+//! Parts of the plant turned, bent, straightened, moved, grafted, made larger and taken away in its view (001 §4.3): a drag that begins on a part turns it
 //! about its base, and all that grows on it goes along.
 //!
 //! The place that is held follows the pointer in the plane through it that faces the viewer, as near as the length of the
 //! part allows. Bent, a branch stays at its base and curves evenly to its end. Moved, the base of a part slides along what it
-//! grows on, and what stands on the ground over that. One drag is one step to undo. A tap chooses a part, another tap on it
+//! grows on, and what stands on the ground over that; grafted, it stands on the branch under the pointer (`grafting.rs`). One drag is one step to undo. A tap chooses a part, another tap on it
 //! what carries it; a drag on what is chosen, or on what that carries, moves all of it. So a bough is moved from any of
 //! its twigs, and from its leaves. Leaves and flowers that were drawn, or that are seen large, are dragged themselves.
 //!
@@ -12,14 +12,14 @@
 //! Limits: a turn about the part's own axis takes two drags from different sides, or a view along it and the ring.
 
 use super::Editor;
-use super::posable::{Part, Posable};
-use super::pose_tool::PartHold;
+use super::posable::Part;
+use super::pose_tool::{Held, PartHold};
 use crate::app::action::Action;
 use crate::app::panels::snapshot::PoseState;
 use crate::app::pose_drag::PoseDrag;
 use crate::geom::polyline;
 use crate::model::pick::{Element, pick};
-use crate::modelling::{OrganGroup, PartFrame};
+use crate::modelling::OrganGroup;
 use crate::sketch::part_poses::{PartPose, pose_of, posed};
 use crate::sketch::{Change, PartName};
 use glam::{DVec2, Quat, Vec3};
@@ -38,24 +38,39 @@ impl Editor {
                 self.posing.is_on = on;
             }
             Action::PoseBy(drag) => self.posing.drag = drag,
-            Action::ResetPose => self.pose_chosen(|pose| PartPose::still(pose.part)),
-            Action::SizePart(thickness) => {
-                if let Some(pose) = self.chosen_pose() {
-                    self.pose(PartPose { thickness, ..pose });
-                }
-            }
-            Action::TakeAwayPart => self.take_away_part(),
+            Action::ResetPose => self.pose_as_step(|pose| PartPose::still(pose.part)),
+            Action::SizePart(thickness) => self.pose_chosen(|pose| PartPose { thickness, ..pose }),
+            Action::StraightenPart(straight) => self.straighten_chosen(straight),
+            Action::TakeAwayPart => self.take_away_chosen(),
             other => self.perform_on_garden(other),
         }
     }
 
-    /// Takes away the part that is chosen: what was drawn with its strokes.
-    fn take_away_part(&mut self) {
-        let strokes = self.posing.last.map(|name| self.strokes_of(name)).unwrap_or_default();
-        match strokes.is_empty() {
-            true => self.pose_chosen(|pose| PartPose { is_cut: true, ..pose }),
-            false => self.change(Change::remove(strokes)),
+    /// Draws out the lines of the branches that are chosen.
+    fn straighten_chosen(&mut self, straight: f32) {
+        let is_branch = |name: &PartName| {
+            self.posable(*name).is_some_and(|posable| matches!(posable.part, Part::Branch(_)))
+        };
+        let branches: Vec<PartName> = self.chosen_parts().filter(is_branch).collect();
+        let known = &self.sketch().part_poses;
+        let pose = |part: PartName| PartPose { straight, ..pose_of(known, part) };
+        let poses: Vec<PartPose> = branches.into_iter().map(pose).collect();
+        self.pose(poses);
+    }
+
+    /// Takes away the parts that are chosen: what was drawn with its strokes.
+    fn take_away_chosen(&mut self) {
+        let (mut strokes, mut poses) = (Vec::new(), self.sketch().part_poses.clone());
+        for part in self.chosen_parts() {
+            let drew = self.strokes_of(part);
+            if drew.is_empty() {
+                poses = posed(&poses, PartPose { is_cut: true, ..pose_of(&poses, part) });
+            }
+            strokes.extend(drew);
         }
+        let removed = Change::remove(strokes).strokes;
+        self.drawing.end_merging();
+        self.change(Change { strokes: removed, ..Change::part_poses(poses) });
     }
 
     /// Whether a tool is in hand in the view of the plant.
@@ -79,14 +94,17 @@ impl Editor {
     pub(super) fn pose_state(&self) -> PoseState {
         let chosen = self.chosen_pose();
         let part = self.posing.last.filter(|_| self.posing.is_on).and_then(|name| self.posable(name));
+        let is_organ = part.is_some_and(|part| matches!(part.part, Part::Organs(_)));
         let plant = self.built().map(|built| &built.plant);
         PoseState {
             any: plant.is_some_and(|plant| !(plant.branches.is_empty() && plant.organs.is_empty())),
             on: self.posing.is_on,
             drag: self.posing.drag,
+            chosen: self.chosen_parts().count(),
             posed: chosen.is_some_and(|pose| !pose.is_still()),
             size: chosen.filter(|pose| !pose.is_cut).map(|pose| pose.thickness),
-            is_organ: part.is_some_and(|part| matches!(part.part, Part::Organs(_))),
+            straight: chosen.filter(|pose| !pose.is_cut && !is_organ).map(|pose| pose.straight),
+            is_organ,
         }
     }
 
@@ -95,27 +113,24 @@ impl Editor {
         self.posing.is_on && self.chosen_pose().is_some_and(|pose| !pose.is_cut)
     }
 
-    /// The pose of the part that is chosen.
-    fn chosen_pose(&self) -> Option<PartPose> {
-        self.posing.last.map(|part| pose_of(&self.sketch().part_poses, part))
+    /// Gives the parts that are chosen another pose, as a step of its own.
+    fn pose_as_step(&mut self, other: impl Fn(PartPose) -> PartPose) {
+        self.drawing.end_merging();
+        self.pose_chosen(other);
+        self.drawing.end_merging();
     }
 
-    /// Gives the part that is chosen another pose, as a step of its own.
-    fn pose_chosen(&mut self, other: impl Fn(PartPose) -> PartPose) {
-        if let Some(pose) = self.chosen_pose() {
-            self.drawing.end_merging();
-            self.pose(other(pose));
-            self.drawing.end_merging();
-        }
-    }
-
-    /// What a tap chooses: what is hit, or what carries that if it is chosen already.
-    pub(super) fn part_to_choose(&self, tapped: Element) -> Option<PartName> {
+    /// What a tap chooses: what is hit, or what carries that if it is chosen already; with `besides` always what is hit.
+    pub(super) fn part_to_choose(&self, tapped: Element, besides: bool) -> Option<PartName> {
         if !self.posing.is_on {
             return None;
         }
         let parts = self.parts_under(tapped);
-        let chosen = self.posing.last.and_then(|chosen| parts.iter().position(|part| *part == chosen));
+        let chosen = self
+            .posing
+            .last
+            .filter(|_| !besides)
+            .and_then(|chosen| parts.iter().position(|part| *part == chosen));
         // Below the trunk it begins again.
         let next = chosen.and_then(|chosen| parts.get(chosen + 1)).or_else(|| parts.first());
         next.copied()
@@ -126,8 +141,13 @@ impl Editor {
         if !self.posing.is_on {
             return false;
         }
+        if self.posing.drag == PoseDrag::Choose {
+            self.posing.choosing = Some(vec![at]);
+            return true;
+        }
         self.posing.hold = self.part_hold(at);
-        if self.posing.hold.is_some() {
+        if let Some(hold) = &self.posing.hold {
+            self.posing.held_others = self.other_holds(hold.held.before.part);
             // A plant that becomes larger under the pointer does not move away from it.
             self.plant.take_hold();
         }
@@ -141,7 +161,7 @@ impl Editor {
         let built = self.built()?;
         let Some(hit) = pick(&built.model, &built.plant, &ray) else { return self.drawn_hold(at) };
         let (parts, grip) = (self.parts_under(hit.element), ray.at(hit.distance));
-        if let Some(chosen) = self.posing.last.filter(|chosen| parts.contains(chosen)) {
+        if let Some(chosen) = self.chosen_parts().find(|chosen| parts.contains(chosen)) {
             return self.hold(chosen, grip);
         }
         if self.is_organ_meant(hit.element) {
@@ -164,20 +184,30 @@ impl Editor {
 
     /// A part held at a place, unless that is too near to its base to turn it.
     fn hold(&self, name: PartName, grip: Vec3) -> Option<PartHold> {
-        let Posable { base, frame, part } = self.posable(name)?;
-        let before = pose_of(&self.sketch().part_poses, name);
-        let mut hold = PartHold { drag: self.posing.drag, before, frame, base, grip, share: 1.0 };
-        match part {
+        let held = self.held(name)?;
+        let mut hold = PartHold { drag: self.posing.drag, held, grip, share: 1.0 };
+        match self.posable(name)?.part {
             Part::Branch(branch) => {
                 let (_, arc) = polyline::nearest(&branch.points, grip)?;
                 let length = polyline::length(&branch.points).max(f32::MIN_POSITIVE);
                 hold.share = arc / length;
-                let is_lever = grip.distance(base) >= LEAST_LEVER * length;
-                (is_lever || hold.drag == PoseDrag::Move).then_some(hold)
+                let is_lever = grip.distance(held.base) >= LEAST_LEVER * length;
+                let is_moved = matches!(hold.drag, PoseDrag::Move | PoseDrag::Graft);
+                (is_lever || is_moved).then_some(hold)
             }
             Part::Organs(group) => {
-                if let Some(stem) = self.stem_of(&group).filter(|_| hold.drag == PoseDrag::Move) {
-                    return Some(PartHold { drag: PoseDrag::Turn, ..self.hold(stem, grip)? });
+                match hold.drag {
+                    PoseDrag::Move => {
+                        if let Some(stem) = self.stem_of(&group) {
+                            return Some(PartHold { drag: PoseDrag::Turn, ..self.hold(stem, grip)? });
+                        }
+                    }
+                    PoseDrag::Graft => {
+                        if let Some(stem) = self.stem_of(&group) {
+                            return self.hold(stem, grip);
+                        }
+                    }
+                    PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Choose => {}
                 }
                 // Organs are stiff.
                 hold.drag = if hold.drag == PoseDrag::Bend { PoseDrag::Turn } else { hold.drag };
@@ -196,56 +226,58 @@ impl Editor {
         built.names.of(stem.origin).filter(|_| ends_there)
     }
 
-    /// Poses the part that is held with the pointer.
+    /// Poses the part that is held with the pointer, and with it the others that are chosen.
     pub(super) fn drag_part(&mut self, to: DVec2) {
         let Some(hold) = self.posing.hold else { return };
-        let Some(target) = self.plant.on_plane(hold.grip, to) else { return };
         // Not when it was taken hold of: that may become a tap.
-        self.posing.last = Some(hold.before.part);
-        let pose = match hold.drag {
-            PoseDrag::Move => self.world().map(|world| moved(&hold, target, world.scale)),
-            drag => Some(dragged(&hold, target, drag == PoseDrag::Bend)),
+        self.posing.take_up(hold.held.before.part);
+        if hold.drag == PoseDrag::Graft {
+            return self.graft_part(&hold.held.before, to);
+        }
+        let Some((target, world)) = self.plant.on_plane(hold.grip, to).zip(self.world()) else { return };
+        let bends = hold.drag == PoseDrag::Bend;
+        let turn = turn_toward(&hold, target, bends);
+        let pose = |held: &Held| match hold.drag {
+            PoseDrag::Move => moved(held, target - hold.grip, world.scale),
+            _ => turned(held, turn, bends),
         };
-        pose.into_iter().for_each(|pose| self.pose(pose));
-    }
-
-    /// Poses a part; one drag is one step.
-    pub(super) fn pose(&mut self, pose: PartPose) {
-        let poses = posed(&self.sketch().part_poses, pose);
-        self.change_merging(Change::part_poses(poses), "part poses");
+        let poses: Vec<PartPose> =
+            [&hold.held].into_iter().chain(&self.posing.held_others).map(pose).collect();
+        self.pose(poses);
     }
 }
 
-/// The pose in which the place that is held lies in the direction of a point.
-fn dragged(hold: &PartHold, target: Vec3, bends: bool) -> PartPose {
-    let &PartHold { before, base, grip, share, frame, .. } = hold;
+/// The turn of the part, or with `bends` of its end, by which the place that is held comes into the direction of a point.
+fn turn_toward(hold: &PartHold, target: Vec3, bends: bool) -> Quat {
+    let (base, grip) = (hold.held.base, hold.grip);
     let (from, to) = ((grip - base).try_normalize(), (target - base).try_normalize());
-    let Some((from, to)) = from.zip(to) else { return before };
+    let Some((from, to)) = from.zip(to) else { return Quat::IDENTITY };
     let turn = Quat::from_rotation_arc(from, to);
+    if !bends {
+        return turn;
+    }
     // A place at a share of an evenly bent branch is seen under half of that share of the whole bend.
     let (axis, angle) = turn.to_axis_angle();
-    let whole = (angle * 2.0 / share.max(LEAST_LEVER)).clamp(-PI, PI);
-    let turn = if bends { Quat::from_axis_angle(axis, whole) } else { turn };
-    turned(&before, &frame, turn, bends)
+    Quat::from_axis_angle(axis, (angle * 2.0 / hold.share.max(LEAST_LEVER)).clamp(-PI, PI))
 }
 
-/// The pose in which the base has moved as the place that is held to a point; a pixel of the canvas is `scale` metres.
-fn moved(hold: &PartHold, target: Vec3, scale: f32) -> PartPose {
-    let way = hold.base + (target - hold.grip) - hold.frame.stood;
-    PartPose { shift: hold.frame.parent_turn.inverse() * way / scale, ..hold.before }
+/// The pose in which the base has moved by a way, metres; a pixel of the canvas is `scale` metres.
+fn moved(held: &Held, by: Vec3, scale: f32) -> PartPose {
+    let way = held.base + by - held.frame.stood;
+    PartPose { shift: held.frame.parent_turn.inverse() * way / scale, ..held.before }
 }
 
-/// A pose with one more turn in the world of the part, or of its end.
-pub(super) fn turned(before: &PartPose, frame: &PartFrame, turn: Quat, bends: bool) -> PartPose {
-    let foot = frame.foot;
+/// The pose with one more turn in the world of the part, or of its end; organs are not bent.
+pub(super) fn turned(held: &Held, turn: Quat, bends: bool) -> PartPose {
+    let (before, foot) = (held.before, held.frame.foot);
     if bends {
         let bend = (foot.inverse() * turn * foot * before.bend).normalize();
-        return PartPose { bend, ..*before };
+        return if held.is_stiff { before } else { PartPose { bend, ..before } };
     }
     // The foot is turned by what carries it and then by the part's own turn.
     let parent_turn = foot * before.turn.inverse();
     let turn = (parent_turn.inverse() * turn * parent_turn * before.turn).normalize();
-    PartPose { turn, ..*before }
+    PartPose { turn, ..before }
 }
 
 #[cfg(test)]

@@ -109,7 +109,7 @@ impl Editor {
         }
         self.paint_brush(painter, palette);
         self.paint_garden_marks(painter, palette);
-        self.paint_chosen_part(painter, palette);
+        self.paint_chosen_parts(painter, palette);
         self.paint_ring(painter, palette);
         let Some(stroke) = &self.space.stroke else { return };
         let seen = stroke.points.iter().filter_map(|point| self.plant.seen_at(stroke.frame.place(point)));

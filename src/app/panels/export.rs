@@ -2,10 +2,12 @@
 
 use super::icons::Icon;
 use super::snapshot::{ExportChoice, ExportFormat, Snapshot, Task};
+use super::status::grouped;
 use super::widgets::{note, palette, segments, switch, text_button};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::theme::TARGET;
+use crate::pipeline::{Level, LevelSet};
 use egui::{Align, Layout, ProgressBar, Ui, vec2};
 
 /// Picture sizes to choose from, pixels.
@@ -84,7 +86,11 @@ fn model(ui: &mut Ui, choice: &mut ExportChoice, has_garden: bool, messages: &Me
             *on = new;
         }
     }
-    if has_garden && let Some(garden) = switch(ui, messages.get(Msg::ExportGarden), choice.garden) {
+    let levels = choice.format == ExportFormat::Glb && levels(ui, choice, messages);
+    if has_garden
+        && !levels
+        && let Some(garden) = switch(ui, messages.get(Msg::ExportGarden), choice.garden)
+    {
         choice.garden = garden;
     }
     if choice.format == ExportFormat::Glb
@@ -92,6 +98,32 @@ fn model(ui: &mut Ui, choice: &mut ExportChoice, has_garden: bool, messages: &Me
     {
         choice.copies = copies;
     }
+}
+
+/// Levels of detail besides the plant; whether there are any.
+fn levels(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) -> bool {
+    note(ui, messages.get(Msg::ExportLevels));
+    let name = |set: Option<LevelSet>| match set {
+        None => Msg::ExportLevelsNone,
+        Some(LevelSet::Hero) => Msg::ExportLevelsHero,
+        Some(LevelSet::Game) => Msg::ExportLevelsGame,
+        Some(LevelSet::Mobile) => Msg::ExportLevelsMobile,
+    };
+    let [hero, game, mobile] = LevelSet::ALL.map(Some);
+    let sets = [None, hero, game, mobile].map(|set| (set, messages.get(name(set))));
+    if let Some(levels) = segments(ui, &sets, choice.levels) {
+        choice.levels = levels;
+    }
+    let Some(set) = choice.levels else { return false };
+    let about = set.levels().into_iter().map(|level| match level {
+        Level::Triangles(count) => grouped(count as usize),
+        Level::Billboards => messages.get(Msg::ExportBillboards).to_owned(),
+    });
+    note(ui, &about.collect::<Vec<_>>().join(" · "));
+    if let Some(capsules) = switch(ui, messages.get(Msg::ExportCapsules), choice.capsules) {
+        choice.capsules = capsules;
+    }
+    true
 }
 
 fn picture(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) {

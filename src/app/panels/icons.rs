@@ -77,6 +77,8 @@ icons! {
     PoseParts: ["M6 22 L6 3", "M6 15 C9 15 10 10 14.5 9 C13 13.5 10 15.5 6 15", "M13.5 13.5 L21 16.5 L17.7 17.7 L16.5 21 Z"];
     /// A leaf that slides along its stem.
     SlideLeaf: ["M6 22 L6 3", "M6 17 C9 17 10 12 14.5 11 C13 15.5 10 17.5 6 17", "M19 20 L19 5", "M16.6 7.6 L19 5 L21.4 7.6", "M16.6 17.4 L19 20 L21.4 17.4"];
+    /// A twig that is set on another stem.
+    GraftBranch: ["M5 22 L5 3", "M5 9 L8.5 5.5", "M19 22 L19 3", "M19 14 L13.5 8.5", "M16.2 11.2 L13 12.5", "M7.5 15.5 L14.5 15.5", "M12 13 L14.5 15.5 L12 18"];
     /// A branch that is bent.
     BendBranch: ["M5 21 L5 4", "M5 21 C5 13 9 8 18.5 7", "M8 3.5 C11 2.8 14 3.6 16.5 6", "M12.8 6.8 L17 6.4 L16.4 2.4"];
     /// Twigs inside an outline.

@@ -1,9 +1,9 @@
-//! The tool that turns, bends and moves parts of the plant, as the bar below the plant shows it.
+//! The tool that turns, bends, straightens, moves and grafts parts of the plant, as the bar below the plant shows it.
 
 use super::icons::Icon;
 use super::rail::{Rail, RailChange, Scale};
 use super::snapshot::PoseState;
-use super::widgets::IconButton;
+use super::widgets::{IconButton, note};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::pose_drag::PoseDrag;
@@ -11,10 +11,12 @@ use crate::sketch::part_poses::THICKNESSES;
 use egui::Ui;
 
 /// What a drag may do: its picture, name and help.
-const DRAGS: [(PoseDrag, Icon, Msg, Msg); 3] = [
+const DRAGS: [(PoseDrag, Icon, Msg, Msg); 5] = [
     (PoseDrag::Turn, Icon::TurnBranch, Msg::PoseTurn, Msg::PoseTurnHint),
     (PoseDrag::Bend, Icon::BendBranch, Msg::PoseBend, Msg::PoseBendHint),
     (PoseDrag::Move, Icon::SlideLeaf, Msg::PoseMove, Msg::PoseMoveHint),
+    (PoseDrag::Graft, Icon::GraftBranch, Msg::PoseGraft, Msg::PoseGraftHint),
+    (PoseDrag::Choose, Icon::Lasso, Msg::PoseChoose, Msg::PoseChooseHint),
 ];
 
 /// The tool.
@@ -45,30 +47,46 @@ pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
     if cut.enabled(state.size.is_some()).show(ui).clicked() {
         out.push(Action::TakeAwayPart);
     }
+    if state.chosen > 1 {
+        note(ui, &messages.fill(Msg::PoseChosen, &[("count", &state.chosen)]));
+    }
 }
 
-/// How thick or large the part that was held last is.
+/// How thick or large the part that was held last is, and how straight a branch.
 pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
     if !state.on {
         return;
     }
     // Without a part, too, so that the picture above stays where it is when one is tapped.
-    let size = state.size.unwrap_or(1.0);
-    let text = format!("{:.0} %", size * 100.0);
     let (min, max) = THICKNESSES.into_inner();
-    let rail = Rail {
-        label: messages.get(if state.is_organ { Msg::PoseSize } else { Msg::PoseThickness }),
-        text: &text,
-        scale: Scale { min: min.into(), max: max.into(), whole: false },
-        value: size.into(),
-        reset: (size != 1.0).then(|| messages.get(Msg::PoseReset)),
-    };
-    let room = ui.available_width();
-    let change = ui.add_enabled_ui(state.size.is_some(), |ui| rail.show(ui, room).1).inner;
-    out.extend(change.map(|change| match change {
-        RailChange::To(value) => Action::SizePart(value as f32),
-        RailChange::Reset => Action::SizePart(1.0),
-    }));
+    let size_name = if state.is_organ { Msg::PoseSize } else { Msg::PoseThickness };
+    let size = (size_name, state.size, Scale { min: min.into(), max: max.into(), whole: false }, 1.0);
+    let straight = (Msg::PoseStraight, state.straight, Scale { min: 0.0, max: 1.0, whole: false }, 0.0);
+    let room = 0.5 * (ui.available_width() - ui.spacing().item_spacing.x);
+    ui.horizontal(|ui| {
+        let size = share(ui, size, room, messages);
+        let straight = share(ui, straight, room, messages);
+        out.extend(size.map(Action::SizePart));
+        out.extend(straight.map(Action::StraightenPart));
+    });
+}
+
+/// A share of the part in percent, usually `usual`; its new value, if there is one.
+fn share(
+    ui: &mut Ui,
+    (name, value, scale, usual): (Msg, Option<f32>, Scale, f32),
+    room: f32,
+    messages: &Messages,
+) -> Option<f32> {
+    let now = value.unwrap_or(usual);
+    let text = format!("{:.0} %", now * 100.0);
+    let reset = (now != usual).then(|| messages.get(Msg::PoseReset));
+    let rail = Rail { label: messages.get(name), text: &text, scale, value: now.into(), reset };
+    let change = ui.add_enabled_ui(value.is_some(), |ui| rail.show(ui, room).1).inner;
+    change.map(|change| match change {
+        RailChange::To(value) => value as f32,
+        RailChange::Reset => usual,
+    })
 }
 
 /// What a drag does now.
@@ -77,5 +95,7 @@ pub(super) fn said(state: &PoseState) -> Msg {
         PoseDrag::Turn => Msg::PoseDrag,
         PoseDrag::Bend => Msg::PoseDragBend,
         PoseDrag::Move => Msg::PoseDragMove,
+        PoseDrag::Graft => Msg::PoseDragGraft,
+        PoseDrag::Choose => Msg::PoseDragChoose,
     }
 }

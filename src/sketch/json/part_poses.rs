@@ -1,8 +1,10 @@
-//! The `wood_poses` of a drawing: branches and organs that the artist turned, moved, made larger or took away, one on each line.
+//! The `wood_poses` of a drawing: branches and organs that the artist turned, moved, grafted, made larger or took away, one on
+//! each line.
 //!
 //! ```json
 //! {"stroke": 4, "turn": [0, 0, 0.2588190, 0.9659258], "bend": [0, 0, 0, 1]}
 //! {"grown": "8c1f0a52e9d40b77", "thickness": 1.5, "shift": [0, 40, 0]}
+//! {"stroke": 5, "straight": 0.8, "graft": {"stroke": 2, "at": 0.5}}
 //! {"grown": "03bb2e6f91d8a4c0", "cut": true}
 //! ```
 //!
@@ -13,7 +15,7 @@ use super::number::push_number;
 use super::progress::Progress;
 use crate::quote;
 use crate::sketch::error::Fault;
-use crate::sketch::part_poses::{PartName, PartPose, PartPoses, check, check_one};
+use crate::sketch::part_poses::{Graft, PartName, PartPose, PartPoses, check, check_one};
 use crate::sketch::{StrokeId, limits};
 use glam::{Quat, Vec3};
 use serde::Deserialize;
@@ -22,15 +24,23 @@ use std::fmt;
 
 /// Appends a pose as JSON.
 pub(super) fn push(out: &mut String, pose: &PartPose) {
-    match pose.part {
-        PartName::Stroke(stroke) => out.push_str(&format!("{{\"stroke\": {stroke}")),
-        PartName::Grown(name) => out.push_str(&format!("{{\"grown\": \"{name:016x}\"")),
-    }
+    push_name(out, pose.part);
     for (name, turn) in [("turn", pose.turn), ("bend", pose.bend)] {
         if turn == Quat::IDENTITY {
             continue;
         }
         push_numbers(out, name, &turn.to_array());
+    }
+    if pose.straight != 0.0 {
+        out.push_str(", \"straight\": ");
+        push_number(out, pose.straight);
+    }
+    if let Some(Graft { onto, at }) = pose.graft {
+        out.push_str(", \"graft\": ");
+        push_name(out, onto);
+        out.push_str(", \"at\": ");
+        push_number(out, at);
+        out.push('}');
     }
     if pose.shift != Vec3::ZERO {
         push_numbers(out, "shift", &pose.shift.to_array());
@@ -40,6 +50,14 @@ pub(super) fn push(out: &mut String, pose: &PartPose) {
         push_number(out, pose.thickness);
     }
     out.push_str(if pose.is_cut { ", \"cut\": true}" } else { "}" });
+}
+
+/// Begins an object with the name of a part.
+fn push_name(out: &mut String, part: PartName) {
+    match part {
+        PartName::Stroke(stroke) => out.push_str(&format!("{{\"stroke\": {stroke}")),
+        PartName::Grown(name) => out.push_str(&format!("{{\"grown\": \"{name:016x}\"")),
+    }
 }
 
 fn push_numbers(out: &mut String, name: &str, numbers: &[f32]) {
@@ -102,6 +120,9 @@ struct PoseText {
     grown: Option<String>,
     turn: Option<[f32; 4]>,
     bend: Option<[f32; 4]>,
+    #[serde(default)]
+    straight: f32,
+    graft: Option<GraftText>,
     shift: Option<[f32; 3]>,
     thickness: Option<f32>,
     #[serde(default)]
@@ -111,20 +132,44 @@ struct PoseText {
 impl PoseText {
     /// The pose, or what is wrong with the name of its part.
     fn pose(self) -> Result<PartPose, String> {
-        let part = match (self.stroke, self.grown) {
-            (Some(stroke), None) => PartName::Stroke(stroke),
-            (None, Some(name)) => PartName::Grown(grown(&name)?),
-            _ => return Err("a pose has one of `stroke` and `grown`, which name its part".to_owned()),
-        };
+        let part = name_of(self.stroke, self.grown)?
+            .ok_or("a pose has one of `stroke` and `grown`, which name its part")?;
+        let graft = self.graft.map(GraftText::graft).transpose()?;
         let turn_of = |numbers: Option<[f32; 4]>| numbers.map_or(Quat::IDENTITY, Quat::from_array);
         let (turn, bend, thickness) = (turn_of(self.turn), turn_of(self.bend), self.thickness.unwrap_or(1.0));
         let shift = self.shift.map_or(Vec3::ZERO, Vec3::from_array);
-        Ok(PartPose { part, turn, bend, shift, thickness, is_cut: self.cut })
+        Ok(PartPose { part, turn, bend, straight: self.straight, graft, shift, thickness, is_cut: self.cut })
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GraftText {
+    stroke: Option<StrokeId>,
+    grown: Option<String>,
+    at: f32,
+}
+
+impl GraftText {
+    /// The graft, or what is wrong with the name of its branch.
+    fn graft(self) -> Result<Graft, String> {
+        let onto = name_of(self.stroke, self.grown)?
+            .ok_or("a `graft` has one of `stroke` and `grown`, which name its branch")?;
+        Ok(Graft { onto, at: self.at })
+    }
+}
+
+/// The part that is named by its stroke or as one that grew; none where both are said or neither is.
+fn name_of(stroke: Option<StrokeId>, grown: Option<String>) -> Result<Option<PartName>, String> {
+    match (stroke, grown) {
+        (Some(stroke), None) => Ok(Some(PartName::Stroke(stroke))),
+        (None, Some(name)) => Ok(Some(PartName::Grown(grown_name(&name)?))),
+        _ => Ok(None),
     }
 }
 
 /// The name of a part that grew.
-fn grown(digits: &str) -> Result<u64, String> {
+fn grown_name(digits: &str) -> Result<u64, String> {
     let is_name = digits.len() == 16 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
     let name = is_name.then(|| u64::from_str_radix(digits, 16).ok()).flatten();
     name.ok_or_else(|| {

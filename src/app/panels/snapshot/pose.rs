@@ -1,4 +1,4 @@
-//! Parts that are being turned, bent and moved, as the bar below the plant shows them.
+//! Parts that are being turned, bent, straightened, moved and grafted, as the bar below the plant shows them.
 
 use crate::app::pose_drag::PoseDrag;
 
@@ -11,10 +11,14 @@ pub struct PoseState {
     pub on: bool,
     /// What a drag does.
     pub drag: PoseDrag,
+    /// How many parts are chosen.
+    pub chosen: usize,
     /// Whether the part that was held last stands otherwise than it was drawn or grew.
     pub posed: bool,
     /// How many times as thick or as large it is; none where none was held or it is taken away.
     pub size: Option<f32>,
+    /// How far its line is drawn out straight; none where that is not a branch.
+    pub straight: Option<f32>,
     /// Whether it is a leaf, a flower or another organ, and no branch.
     pub is_organ: bool,
 }
