@@ -54,7 +54,7 @@ fn no_wood_passes_an_obstacle_and_no_leaf_either() {
     for (name, age, obstacles) in [
         ("oak", 14.0, wall(6.0, 3.0, 0.7)),
         ("box", 12.0, wall(3.0, 1.0, 0.3)),
-        ("hazel", 8.0, trellis.clone()),
+        ("hazel", 12.0, trellis.clone()),
         ("ivy", 14.0, wall(3.0, 1.5, 0.2)),
         ("clematis", 8.0, trellis),
     ] {

@@ -10,7 +10,7 @@ use super::build::size_of;
 use super::card;
 use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::params::ModelParams;
-use super::solids::{self, SolidParams};
+use super::solids::{self, Finenesses, SolidParams};
 use super::spike;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};
@@ -21,8 +21,8 @@ use std::borrow::Cow;
 /// Share of its fineness that is left of a parameter with each step.
 const STEP: f32 = 0.75;
 /// Steps in which what is finer than the defaults comes down to them, and those after which nothing becomes coarser.
-const TO_DEFAULTS: f32 = 8.0;
-const COARSEST: f32 = 16.0;
+const TO_DEFAULTS: f32 = 12.0;
+const COARSEST: f32 = 20.0;
 /// Templates that are triangulated to be counted; of more each is taken for what it is at most.
 const COUNTED: usize = 64;
 /// Edges into which a blade's outline is divided for each of its rows, at most.
@@ -189,19 +189,21 @@ fn of_wood(plant: &Plant, params: &TubeParams, size: f32, rings: &Rings) -> u64 
 fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
     let counted = counted_templates(plant, &params.blade);
     let solid = &params.solid;
-    let sides = |radius: f32| u64::from(solids::sides(solids::is_large(radius), solid));
-    let rows = u64::from(solid.dome_rows);
+    let finenesses = Finenesses::of(plant);
+    let sides = |radius: f32| u64::from(finenesses.at(radius).sides(solid));
+    let rows = |radius: f32| u64::from(finenesses.at(radius).dome_rows(solid));
+    let of_head = finenesses.at(0.0).head(solid).map(u64::from);
     let of_organ = |shape: &Shape| match shape {
         Shape::Blade(blade) => {
             let counted = counted[blade.template.index()];
             counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
-        Shape::Dome { radius, .. } => 2 * sides(*radius) * (rows + 1),
+        Shape::Dome { radius, .. } => 2 * sides(*radius) * (rows(*radius) + 1),
         Shape::Card { .. } => card::TRIANGLES,
         Shape::Spike { .. } => spike::TRIANGLES,
         Shape::Lathe { profile, .. } => 2 * sides(solids::widest(profile)) * profile.len() as u64,
         Shape::Filament { points, head, .. } => {
-            let head = if head.x > 0.0 { u64::from(solid.head_sides * solid.head_rows) } else { 0 };
+            let head = if head.x > 0.0 { of_head[0] * of_head[1] } else { 0 };
             2 * (u64::from(solid.filament_sides) * (points.len() as u64 + 1) + head)
         }
     };
@@ -281,7 +283,7 @@ mod tests {
 
     #[test]
     fn a_plant_has_no_more_triangles_than_it_may() {
-        let plant = cherry(8);
+        let plant = cherry(12);
         assert!(matches!(affordable(&plant, &defaults(), 10_000_000), Cow::Borrowed(_)));
         let whole = build(&plant, &defaults()).triangle_count() as u64;
         for (params, most) in [(finest(), 8 * whole), (finest(), whole), (defaults(), whole / 2)] {

@@ -225,9 +225,9 @@ fn shapes(
         };
         match original {
             Original::Blade(id, blade) => recipe.shape(&shapes::upright(blade), of_blade(*id)?.0),
-            Original::Dome(proportion, is_large) => recipe.dome_shape(*proportion, *is_large),
-            Original::Head(proportion) => recipe.head_shape(*proportion),
-            Original::Lathe(proportions, is_large) => recipe.lathe_shape(proportions, *is_large),
+            Original::Dome(proportion, fineness) => recipe.dome_shape(*proportion, *fineness),
+            Original::Head(proportion, fineness) => recipe.head_shape(*proportion, *fineness),
+            Original::Lathe(proportions, fineness) => recipe.lathe_shape(proportions, *fineness),
             Original::Card(window, is_whole) => recipe.card_shape(window, *is_whole),
         }
         let hash = recipe.hash();
@@ -235,12 +235,14 @@ fn shapes(
             Original::Blade(id, blade) => {
                 blade::shape(&shapes::upright(blade), of_blade(*id)?.1, &params.blade, scratch)
             }
-            Original::Dome(proportion, is_large) => {
-                CopyShape::solid(solids::dome(*proportion, *is_large, &params.solid))
+            Original::Dome(proportion, fineness) => {
+                CopyShape::solid(solids::dome(*proportion, *fineness, &params.solid))
             }
-            Original::Head(proportion) => CopyShape::solid(solids::head(*proportion, &params.solid)),
-            Original::Lathe(proportions, is_large) => {
-                CopyShape::solid(solids::lathe(proportions, *is_large, &params.solid))
+            Original::Head(proportion, fineness) => {
+                CopyShape::solid(solids::head(*proportion, *fineness, &params.solid))
+            }
+            Original::Lathe(proportions, fineness) => {
+                CopyShape::solid(solids::lathe(proportions, *fineness, &params.solid))
             }
             Original::Card(window, is_whole) => Some(card::shape(*window, *is_whole)),
         })?;

@@ -113,7 +113,7 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::solids::Proportion;
+    use super::super::solids::{Fineness, Proportion};
     use super::*;
 
     /// Looks for parts that are told apart by numbers; gives them and the numbers of those that were made.
@@ -121,7 +121,7 @@ mod tests {
         let search = memory.search(numbers.len());
         let (mut recipe, mut new) = (Recipe::default(), Vec::new());
         let mut part = |(part, number): (usize, &u8)| {
-            recipe.dome_shape(Proportion::of(1.0, f32::from(*number)).unwrap(), false);
+            recipe.dome_shape(Proportion::of(1.0, f32::from(*number)).unwrap(), Fineness::Whole);
             let made = search.find(part, &recipe).unwrap_or_else(|| {
                 new.push(*number);
                 Made::new(&recipe, Arc::default())

@@ -9,7 +9,7 @@
 
 use super::limbs::WoodBranch;
 use super::piece::Piece;
-use super::solids::{Proportion, Proportions};
+use super::solids::{Fineness, Proportion, Proportions};
 use crate::plant::{
     Blade, Branch, Cone, Detail, FinishedPlant, Organ, ResolvedBlade, RestSurface, Role, Shape, Template,
 };
@@ -95,19 +95,19 @@ impl<'a> Recipe<'a> {
         self.begin(3).blade(upright, TemplateName::Flat(flat));
     }
 
-    /// The recipe of the shape of a dome of these proportions that is large, or not.
-    pub(super) fn dome_shape(&mut self, proportion: Proportion, is_large: bool) {
-        self.begin(4).real(proportion.height()).word(u32::from(is_large));
+    /// The recipe of the shape of a dome of these proportions.
+    pub(super) fn dome_shape(&mut self, proportion: Proportion, fineness: Fineness) {
+        self.begin(4).real(proportion.height()).word(fineness as u32);
     }
 
     /// The recipe of the shape of a head of these proportions.
-    pub(super) fn head_shape(&mut self, proportion: Proportion) {
-        self.begin(5).real(proportion.height());
+    pub(super) fn head_shape(&mut self, proportion: Proportion, fineness: Fineness) {
+        self.begin(5).real(proportion.height()).word(fineness as u32);
     }
 
-    /// The recipe of the shape of a lathed body of these proportions that is large, or not.
-    pub(super) fn lathe_shape(&mut self, proportions: &Proportions, is_large: bool) {
-        self.begin(8).plane(&proportions.profile()).word(u32::from(is_large));
+    /// The recipe of the shape of a lathed body of these proportions.
+    pub(super) fn lathe_shape(&mut self, proportions: &Proportions, fineness: Fineness) {
+        self.begin(8).plane(&proportions.profile()).word(fineness as u32);
     }
 
     /// The recipe of the shape of cards with this window.

@@ -9,7 +9,7 @@
 use super::copies::Placement;
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use super::solids::{self, Proportion, Proportions, Stand};
+use super::solids::{self, Fineness, Finenesses, Proportion, Proportions, Stand};
 use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -23,9 +23,9 @@ pub(super) const THINNEST: f32 = 4e-6;
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Blade(TemplateId, [u32; 8], Option<usize>),
-    Dome(Proportion, bool),
-    Head(Proportion),
-    Lathe(Proportions, bool),
+    Dome(Proportion, Fineness),
+    Head(Proportion, Fineness),
+    Lathe(Proportions, Fineness),
     Card([u32; 4], bool),
 }
 
@@ -34,12 +34,12 @@ enum Key {
 pub(super) enum Original<'a> {
     /// The first blade that has it, with the place of its template.
     Blade(TemplateId, ResolvedBlade<'a>),
-    /// The height of a dome in radii, and whether it is large.
-    Dome(Proportion, bool),
+    /// The height of a dome in radii.
+    Dome(Proportion, Fineness),
     /// The half length of a head in radii.
-    Head(Proportion),
-    /// The profile of a lathed body in its largest radius, and whether it is large.
-    Lathe(Proportions, bool),
+    Head(Proportion, Fineness),
+    /// The profile of a lathed body in its largest radius.
+    Lathe(Proportions, Fineness),
     /// What part of its picture a card shows.
     Card([Vec2; 2], bool),
 }
@@ -109,9 +109,9 @@ pub(super) struct ShapesInCommon<'a> {
 impl<'a> ShapesInCommon<'a> {
     pub(super) fn of(plant: &'a Plant) -> Self {
         let mut known: BTreeMap<Key, u32> = BTreeMap::new();
-        let mut originals = Vec::new();
+        let (mut originals, finenesses) = (Vec::new(), Finenesses::of(plant));
         let number = |organ: &'a Organ| {
-            let (key, original) = key(plant, &organ.shape)?;
+            let (key, original) = key(plant, &organ.shape, finenesses)?;
             Some(*known.entry(key).or_insert_with(|| {
                 originals.push(original);
                 originals.len() as u32 - 1
@@ -128,7 +128,7 @@ pub(super) fn upright<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
 }
 
 /// What an organ has in common with others of its shape, and what the shape is made from; `None` for one that is no copy.
-fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
+fn key<'a>(plant: &'a Plant, shape: &Shape, finenesses: Finenesses) -> Option<(Key, Original<'a>)> {
     match shape {
         Shape::Blade(blade) => {
             let resolved = plant.templates.resolve(blade);
@@ -144,12 +144,13 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
         }
         Shape::Dome { radius, height, .. } => {
             let proportion = Proportion::of(*radius, *height)?;
-            let is_large = solids::is_large(*radius);
-            Some((Key::Dome(proportion, is_large), Original::Dome(proportion, is_large)))
+            let fineness = finenesses.at(*radius);
+            Some((Key::Dome(proportion, fineness), Original::Dome(proportion, fineness)))
         }
         Shape::Filament { head, .. } => {
             let proportion = Proportion::of(head.x, head.y)?;
-            Some((Key::Head(proportion), Original::Head(proportion)))
+            let fineness = finenesses.at(0.0);
+            Some((Key::Head(proportion, fineness), Original::Head(proportion, fineness)))
         }
         Shape::Card { window: window @ [low, high], is_whole, .. } => {
             let key = [low.x, low.y, high.x, high.y].map(f32::to_bits);
@@ -157,8 +158,8 @@ fn key<'a>(plant: &'a Plant, shape: &Shape) -> Option<(Key, Original<'a>)> {
         }
         Shape::Lathe { profile, .. } => {
             let (proportions, widest) = (Proportions::of(profile)?, solids::widest(profile));
-            let is_large = solids::is_large(widest);
-            Some((Key::Lathe(proportions.clone(), is_large), Original::Lathe(proportions, is_large)))
+            let fineness = finenesses.at(widest);
+            Some((Key::Lathe(proportions.clone(), fineness), Original::Lathe(proportions, fineness)))
         }
         Shape::Spike { .. } => None,
     }

@@ -9,6 +9,7 @@
 use super::copies::Placement;
 use super::mesh::{Mesh, Vertex};
 use crate::geom::{frame, polyline};
+use crate::plant::{Organ, Plant, Shape};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -31,6 +32,9 @@ crate::parameters! {
 /// Bodies of this radius and more, metres, have at least so many sides: with fewer the disc of a sunflower is seen as a polygon, while a
 /// coarse plant may have hundreds of florets whose receptacles need none.
 const LARGE: (f32, u32) = (12e-3, 8);
+/// Of more bodies and heads than these smaller ones have half as many sides and rows: a tree in blossom has a receptacle and anthers
+/// for each of its thousands of flowers, of which none is seen by itself.
+const MANY: usize = 1000;
 /// Profiles that turn by more than the angle of this cosine have a crease.
 const CREASE: f32 = 0.75;
 
@@ -67,14 +71,64 @@ impl Stand {
     }
 }
 
-/// Whether a body of this radius, metres, keeps more sides than small ones.
-pub(super) fn is_large(radius: f32) -> bool {
-    radius >= LARGE.0
+/// How finely a body is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Fineness {
+    /// Small, and one of many.
+    Half,
+    /// As the parameters say.
+    Whole,
+    /// Large: with more sides at least.
+    Large,
 }
 
-/// How many sides bodies have that are large, or not.
-pub(super) fn sides(is_large: bool, params: &SolidParams) -> u32 {
-    if is_large { params.sides.max(LARGE.1) } else { params.sides }
+impl Fineness {
+    /// How many sides, rows, or other parts there are, of so many usual ones.
+    fn of(self, usual: u32, fewest: u32) -> u32 {
+        if self == Self::Half { usual.div_ceil(2).max(fewest).min(usual) } else { usual }
+    }
+
+    /// Sides of domes and lathed bodies.
+    pub(super) fn sides(self, params: &SolidParams) -> u32 {
+        if self == Self::Large { params.sides.max(LARGE.1) } else { self.of(params.sides, 5) }
+    }
+
+    /// Rows of domes.
+    pub(super) fn dome_rows(self, params: &SolidParams) -> u32 {
+        self.of(params.dome_rows, 2)
+    }
+
+    /// Sides and rows of heads.
+    pub(super) fn head(self, params: &SolidParams) -> [u32; 2] {
+        [self.of(params.head_sides, 3), self.of(params.head_rows, 2)]
+    }
+}
+
+/// How finely the bodies of a plant are made, by their radius.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Finenesses {
+    are_many: bool,
+}
+
+impl Finenesses {
+    pub(super) fn of(plant: &Plant) -> Self {
+        let is_small = |organ: &&Organ| match &organ.shape {
+            Shape::Dome { radius, .. } => *radius < LARGE.0,
+            Shape::Lathe { profile, .. } => widest(profile) < LARGE.0,
+            Shape::Filament { head, .. } => head.x > 0.0,
+            Shape::Blade(_) | Shape::Card { .. } | Shape::Spike { .. } => false,
+        };
+        Self { are_many: plant.organs.iter().filter(is_small).nth(MANY).is_some() }
+    }
+
+    /// That of a body of a radius, metres.
+    pub(super) fn at(self, radius: f32) -> Fineness {
+        match (radius >= LARGE.0, self.are_many) {
+            (true, _) => Fineness::Large,
+            (false, true) => Fineness::Half,
+            (false, false) => Fineness::Whole,
+        }
+    }
 }
 
 /// The largest radius of a profile.
@@ -122,27 +176,28 @@ impl Proportions {
     }
 }
 
-/// A half ellipsoid of radius 1, upright at the origin and closed underneath, for domes that are large, or not.
-pub(super) fn dome(proportion: Proportion, is_large: bool, params: &SolidParams) -> Mesh {
-    let (rows, size) = (params.dome_rows, Vec2::new(1.0, proportion.height()));
+/// A half ellipsoid of radius 1, upright at the origin and closed underneath.
+pub(super) fn dome(proportion: Proportion, fineness: Fineness, params: &SolidParams) -> Mesh {
+    let (rows, size) = (fineness.dome_rows(params), Vec2::new(1.0, proportion.height()));
     let arc = (0..=rows).map(|i| Vec2::from_angle(FRAC_PI_2 * i as f32 / rows as f32) * size);
     let profile: Vec<Vec2> = std::iter::once(Vec2::ZERO).chain(arc).collect();
-    revolved(&profile, sides(is_large, params), Projection::Planar)
+    revolved(&profile, fineness.sides(params), Projection::Planar)
 }
 
 /// An ellipsoid of radius 1 around the origin, its axis upright; the proportion is that of its half length.
-pub(super) fn head(proportion: Proportion, params: &SolidParams) -> Mesh {
-    let (rows, size) = (params.head_rows, Vec2::new(1.0, proportion.height()));
+pub(super) fn head(proportion: Proportion, fineness: Fineness, params: &SolidParams) -> Mesh {
+    let [sides, rows] = fineness.head(params);
+    let size = Vec2::new(1.0, proportion.height());
     let arc = (0..=rows).map(|i| Vec2::from_angle(PI * i as f32 / rows as f32 - FRAC_PI_2) * size);
     let mut mesh = Mesh::default();
-    revolve(&mut mesh, &arc.collect::<Vec<_>>(), params.head_sides, Projection::Cylindrical);
+    revolve(&mut mesh, &arc.collect::<Vec<_>>(), sides, Projection::Cylindrical);
     mesh
 }
 
-/// A lathed body of these proportions that is large, or not, its largest radius 1, upright at the origin. A profile holds (radius, height)
+/// A lathed body of these proportions, its largest radius 1, upright at the origin. A profile holds (radius, height)
 /// along the outside and back along the inside.
-pub(super) fn lathe(proportions: &Proportions, is_large: bool, params: &SolidParams) -> Mesh {
-    revolved(&proportions.profile(), sides(is_large, params), Projection::Cylindrical)
+pub(super) fn lathe(proportions: &Proportions, fineness: Fineness, params: &SolidParams) -> Mesh {
+    revolved(&proportions.profile(), fineness.sides(params), Projection::Cylindrical)
 }
 
 fn revolved(profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {
@@ -280,7 +335,7 @@ mod tests {
     use super::*;
 
     fn lathed(profile: &[Vec2]) -> Mesh {
-        lathe(&Proportions::of(profile).unwrap(), true, &SolidParams::default())
+        lathe(&Proportions::of(profile).unwrap(), Fineness::Large, &SolidParams::default())
     }
 
     fn proportion(height: f32) -> Proportion {
@@ -289,7 +344,7 @@ mod tests {
 
     #[test]
     fn a_dome_has_its_texture_from_above() {
-        let mesh = dome(proportion(0.5), false, &SolidParams::default());
+        let mesh = dome(proportion(0.5), Fineness::Whole, &SolidParams::default());
         mesh.check_invariants().unwrap();
         for vertex in &mesh.vertices {
             let p = mesh.points[vertex.point as usize];
@@ -305,7 +360,7 @@ mod tests {
         let axis = Vec3::new(0.6, -0.48, 0.64);
         let base = Vec3::new(1.0, 2.0, 3.0);
         let mut mesh = Mesh::default();
-        let shape = head(proportion(4.0), &SolidParams::default());
+        let shape = head(proportion(4.0), Fineness::Whole, &SolidParams::default());
         Stand { base, axis }.placement(0.5).append(&shape, &mut mesh);
         mesh.check_invariants().unwrap();
         for p in mesh.points {

@@ -251,11 +251,12 @@ fn a_cherry_tree_blossoms_in_place_of_generated_leaves_only() {
     let leaves = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Leaf);
     assert!(leaves.clone().any(|leaf| leaf.origin == origin(Some(9))));
     assert_eq!(leaves.count() + cherry.flowers.len(), 401);
-    assert!((180..300).contains(&cherry.flowers.len()), "{}", cherry.flowers.len());
+    assert!((140..240).contains(&cherry.flowers.len()), "{}", cherry.flowers.len());
     let petals = cherry.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal).count();
     assert_eq!(petals, 5 * cherry.flowers.len());
     let filaments = cherry.organs.iter().filter(|o| matches!(o.shape, Shape::Filament { .. })).count();
-    assert!(filaments <= 6 * cherry.flowers.len(), "{filaments}");
+    // A plant has 1,500 of them at most, however many its flowers are.
+    assert!(filaments > 1000 && filaments <= 1500, "{filaments}");
     cherry.check_invariants().unwrap();
 }
 
@@ -265,7 +266,7 @@ fn a_tree_of_more_flowers_than_a_plant_may_have_says_so() {
     assert!(!apply(bare(1, 400), &FlowerBuds::default(), &provenance(), &species, 5).is_blossom_thinned);
     let most = crate::budget::Budget::PLANT.blossoms;
     let Applied { plant, is_blossom_thinned } =
-        apply(bare(1, 2 * most), &FlowerBuds::default(), &provenance(), &species, 5);
+        apply(bare(1, 3 * most), &FlowerBuds::default(), &provenance(), &species, 5);
     assert!(is_blossom_thinned);
     assert!((most * 9 / 10..=most * 11 / 10).contains(&plant.flowers.len()), "{}", plant.flowers.len());
 }

@@ -380,6 +380,8 @@ crate::parameters! {
         share: f32, 0.0..=1.0, "";
         /// Flowers that stand together at a leaf's place.
         cluster: u32 = 1, 1..=24, "";
+        /// The time of the year when they are over.
+        until: f32 = 2.5, 0.3..=5.0, "";
         /// How far out along the leaf they stand at most.
         along: f32 = 0.0, 0.0..=1.0, "of the leaf's length";
         /// Petals of each.

@@ -27,8 +27,8 @@ const FALLING: (f32, f32) = (4.0, 5.0);
 const GREEN: (f32, f32) = (0.7, 1.6);
 /// Length of a leaf that begins to unfold, against its full one.
 const BUDDING: f32 = 0.25;
-/// When trees are in blossom; species that are described so are at the time when plants are as described.
-const BLOSSOM: (f32, f32) = (0.3, 2.5);
+/// When trees come into blossom.
+const BLOSSOM: f32 = 0.3;
 
 crate::parameters! {
     /// The time of the year.
@@ -97,7 +97,7 @@ pub(super) fn untinted(species: &Species, variant: u32) -> (u32, Option<Tint>) {
 impl Species {
     /// Whether trees of it are in blossom at its time of the year.
     pub fn is_in_blossom(&self) -> bool {
-        (BLOSSOM.0..=BLOSSOM.1).contains(&self.season.time)
+        self.blossom.as_ref().is_some_and(|blossom| (BLOSSOM..=blossom.until).contains(&self.season.time))
     }
 
     /// Whether its leaves are at that time as it describes them.

@@ -112,10 +112,13 @@ fn the_same_leaves_fall_again() {
 
 #[test]
 fn blossom_comes_in_spring_and_goes_in_summer() {
-    let is = |time| {
-        let mut species = Species::built_in("cherry").unwrap();
+    let is = |name, time| {
+        let mut species = Species::built_in(name).unwrap();
         species.season.time = time;
         species.is_in_blossom()
     };
-    assert_eq!([0.0, 0.6, 2.0, 2.8, 5.0].map(is), [false, true, true, false, false]);
+    let cherry = |time| is("cherry", time);
+    assert_eq!([0.0, 0.6, 2.0, 2.8, 5.0].map(cherry), [false, true, true, false, false]);
+    let apple = |time| is("apple", time);
+    assert_eq!([0.0, 1.0, 2.0].map(apple), [false, true, false], "over before its leaves are as in summer");
 }

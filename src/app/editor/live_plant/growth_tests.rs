@@ -97,7 +97,7 @@ fn a_habit_is_set_shown_and_grown_and_rests_for_plants_that_do_not_grow() {
     let mut editor = oak(&home);
     let (internode, bare) = ("habit.internode", "habit.leaf.length");
     let before = editor.panel_snapshot().params;
-    assert!((before.species[internode] - 0.42).abs() < 1e-6 && before.applies(bare));
+    assert!((before.species[internode] - 0.25).abs() < 1e-6 && before.applies(bare));
     assert!(!editor.built().unwrap().plant.organs.is_empty());
     editor.perform(Action::SetParam { path: bare.into(), value: Some(Value::from(0.0)) });
     settle(&mut editor);
