@@ -56,27 +56,32 @@ impl GraftPlaces {
     }
 }
 
-/// Sets grafted branches onto their new parents, which then stand before them.
+/// Sets grafted branches onto their new parents, which then stand before them; says how many have none.
 pub(super) fn graft(
     (plant, buds): (&mut Plant, &mut FlowerBuds),
     continued: &mut [Continued],
     (names, poses): (&PartNames, &[PartPose]),
-) {
+) -> usize {
     let grafts: HashMap<PartName, Graft> =
         poses.iter().filter_map(|pose| Some((pose.part, pose.graft?))).collect();
     if grafts.is_empty() {
-        return;
+        return 0;
     }
+    let mut resting = 0;
     let places = GraftPlaces::new(plant, names, continued);
     for index in 0..plant.branches.len() {
-        let graft = names.of(plant.branches[index].origin).and_then(|name| grafts.get(&name));
-        let to = graft.and_then(|graft| places.find(&plant.branches, *graft));
-        let Some(to) = to.filter(|to| can_stand(&plant.branches, index, to.branch)) else { continue };
-        set(plant, buds, continued, index, &to);
+        let name = names.of(plant.branches[index].origin);
+        let Some(graft) = name.and_then(|name| grafts.get(&name)) else { continue };
+        let to = places.find(&plant.branches, *graft);
+        match to.filter(|to| can_stand(&plant.branches, index, to.branch)) {
+            Some(to) => set(plant, buds, continued, index, &to),
+            None => resting += 1,
+        }
     }
     let places = plant.put_parents_first(buds);
     continued.iter_mut().for_each(|continued| continued.branch = places[continued.branch]);
     debug_assert_eq!(plant.check_invariants(), Ok(()));
+    resting
 }
 
 /// Whether a branch can be set onto another one, which it does not carry itself.
@@ -147,7 +152,8 @@ mod tests {
         (Plant { branches, ..Plant::default() }, provenance)
     }
 
-    fn grafted(grafts: &[(u64, u64, f32)]) -> Plant {
+    /// The plant with these grafts, of a stroke onto another, and how many rest.
+    fn grafted(grafts: &[(u64, u64, f32)]) -> (Plant, usize) {
         let (mut plant, provenance) = trees();
         let pose = |&(stroke, onto, at): &(u64, u64, f32)| {
             let graft = Some(Graft { onto: PartName::Stroke(onto), at });
@@ -155,14 +161,15 @@ mod tests {
         };
         let poses: Vec<PartPose> = grafts.iter().map(pose).collect();
         let names = PartNames::new(&provenance);
-        graft((&mut plant, &mut FlowerBuds::default()), &mut [], (&names, &poses));
+        let resting = graft((&mut plant, &mut FlowerBuds::default()), &mut [], (&names, &poses));
         plant.check_invariants().unwrap();
-        plant
+        (plant, resting)
     }
 
     #[test]
     fn a_bough_stands_on_the_other_trunk_with_its_twig_under_the_same_angle() {
-        let plant = grafted(&[(2, 4, 0.75)]);
+        let (plant, resting) = grafted(&[(2, 4, 0.75)]);
+        assert_eq!(resting, 0);
         let parents: Vec<Option<usize>> = plant.branches.iter().map(|branch| branch.parent).collect();
         assert_eq!(parents, [None, None, Some(1), Some(2), Some(1)], "behind its new parent");
         let foot = Vec3::new(2.0, 0.75, 0.0);
@@ -173,7 +180,7 @@ mod tests {
 
     #[test]
     fn a_trunk_on_a_thin_bough_becomes_thinner_and_keeps_its_direction() {
-        let plant = grafted(&[(4, 2, 0.5)]);
+        let (plant, _) = grafted(&[(4, 2, 0.5)]);
         let set = plant.branches.iter().find(|branch| branch.level == 2 && branch.radii.len() == 11);
         assert!(set.is_some());
         let trunk = &plant.branches[3];
@@ -192,11 +199,12 @@ mod tests {
     #[test]
     fn what_cannot_be_grafted_stays() {
         let (still, _) = trees();
-        for graft in [(2, 3, 0.5), (1, 3, 0.5), (2, 9, 0.5), (9, 1, 0.5)] {
-            assert_eq!(grafted(&[graft]), still, "{graft:?}");
+        for (graft, resting) in [((2, 3, 0.5), 1), ((1, 3, 0.5), 1), ((2, 9, 0.5), 1), ((9, 1, 0.5), 0)] {
+            assert_eq!(grafted(&[graft]), (still.clone(), resting), "{graft:?}");
         }
         // Each onto the other: the first is made, and the other would stand on itself.
-        let plant = grafted(&[(1, 4, 0.5), (4, 1, 0.5)]);
+        let (plant, resting) = grafted(&[(1, 4, 0.5), (4, 1, 0.5)]);
+        assert_eq!(resting, 1);
         assert_eq!(plant.branches.iter().filter(|branch| branch.parent.is_none()).count(), 1);
     }
 

@@ -209,6 +209,7 @@ pub fn pose_organs(
         let (motion, frame) = group.posed(plant, parent_turn, (pose, graft.as_ref()), scale);
         group.move_by(plant, &motion);
         graft.iter().for_each(|graft| group.stand_on(plant, graft.branch));
+        posed.resting_grafts += usize::from(pose.graft.is_some() && graft.is_none());
         if group.is_flower {
             let petals = groups.iter().filter(|petal| !petal.is_flower && petal.flower == group.flower);
             for petal in petals {

@@ -97,7 +97,7 @@ pub(super) fn finish(
         debug_assert_eq!(provenance.check_invariants(&plant), Ok(()));
         plant
     });
-    modelling::poses_at_rest(&poses).into_iter().for_each(&mut remark);
+    modelling::poses_at_rest(&poses, &wood.posed).into_iter().for_each(&mut remark);
     let wanted = u64::from(params.model.budget.triangles).min(budget.triangles);
     let plant = clock.time("cards", || with_cards(plant, params, wanted, cards, stop))?;
     if !params.cards.used && cards::are_in(&plant) {

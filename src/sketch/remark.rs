@@ -192,10 +192,12 @@ pub enum Remark {
     /// Painted light beside a plant that does not grow.
     #[error("draws nothing toward it: the plant does not grow; draw a crown, or set years of growth")]
     LightsNothing,
-    /// Poses of parts that are not there.
+    /// Poses of parts that are not there, or that are grafted onto what is not.
     #[error(
-        "{} that {} turned, moved or taken away {} not there, at this age or any more: that is without effect",
-        counted(.poses, "part"), if *.poses == 1 { "was" } else { "were" }, if *.poses == 1 { "is" } else { "are" }
+        "{} that {} turned, moved, grafted or taken away {} not there, or not what {} grafted onto, at this age or any more: that is without \
+         effect",
+        counted(.poses, "part"), if *.poses == 1 { "was" } else { "were" }, if *.poses == 1 { "is" } else { "are" },
+        if *.poses == 1 { "it was" } else { "they were" }
     )]
     PosesRest {
         /// How many.
