@@ -286,7 +286,7 @@ mod tests {
         let plant = cherry(8);
         assert!(matches!(affordable(&plant, &defaults(), 10_000_000), Cow::Borrowed(_)));
         let whole = build(&plant, &defaults()).triangle_count() as u64;
-        for (params, most) in [(finest(), 8 * whole), (finest(), whole), (defaults(), whole / 2)] {
+        for (params, most) in [(finest(), 8 * whole), (finest(), whole), (defaults(), whole * 3 / 4)] {
             let coarser = affordable(&plant, &params, most);
             assert!(matches!(coarser, Cow::Owned(_)));
             let count = build(&plant, &coarser).triangle_count() as u64;
