@@ -7,7 +7,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 /// The last part of the dialog's format row, PNG; of the sizes the first, 800×600; of the frames 1 and 12.
-const PNG: [f64; 2] = [805.0, 223.0];
+const PNG: [f64; 2] = [805.0, 189.0];
 const SMALL: [f64; 2] = [475.0, 366.0];
 const ONE_FRAME: [f64; 2] = [475.0, 437.0];
 const TWELVE_FRAMES: [f64; 2] = [585.0, 437.0];
