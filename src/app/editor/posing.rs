@@ -23,6 +23,7 @@ use crate::modelling::OrganGroup;
 use crate::sketch::part_poses::{PartPose, pose_of, posed};
 use crate::sketch::{Change, PartName};
 use glam::{DVec2, Quat, Vec3};
+use std::collections::HashSet;
 use std::f32::consts::PI;
 
 /// Least distance of the place that is held from the base, as a share of the part's length: nearer, a small move would be a
@@ -48,13 +49,12 @@ impl Editor {
 
     /// Draws out the lines of the branches that are chosen.
     fn straighten_chosen(&mut self, straight: f32) {
-        let is_branch = |name: &PartName| {
-            self.posable(*name).is_some_and(|posable| matches!(posable.part, Part::Branch(_)))
-        };
-        let branches: Vec<PartName> = self.chosen_parts().filter(is_branch).collect();
+        let Some(built) = self.built() else { return };
+        let chosen: HashSet<PartName> = self.chosen_parts().collect();
+        let names = built.plant.branches.iter().filter_map(|branch| built.names.of(branch.origin));
         let known = &self.sketch().part_poses;
         let pose = |part: PartName| PartPose { straight, ..pose_of(known, part) };
-        let poses: Vec<PartPose> = branches.into_iter().map(pose).collect();
+        let poses: Vec<PartPose> = names.filter(|name| chosen.contains(name)).map(pose).collect();
         self.pose(poses);
     }
 
@@ -196,18 +196,13 @@ impl Editor {
                 (is_lever || is_moved).then_some(hold)
             }
             Part::Organs(group) => {
-                match hold.drag {
-                    PoseDrag::Move => {
-                        if let Some(stem) = self.stem_of(&group) {
-                            return Some(PartHold { drag: PoseDrag::Turn, ..self.hold(stem, grip)? });
-                        }
-                    }
-                    PoseDrag::Graft => {
-                        if let Some(stem) = self.stem_of(&group) {
-                            return self.hold(stem, grip);
-                        }
-                    }
-                    PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Choose => {}
+                let of_stem = match hold.drag {
+                    PoseDrag::Move => Some(PoseDrag::Turn),
+                    PoseDrag::Graft => Some(PoseDrag::Graft),
+                    PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Choose => None,
+                };
+                if let Some((drag, stem)) = of_stem.zip(self.stem_of(&group)) {
+                    return Some(PartHold { drag, ..self.hold(stem, grip)? });
                 }
                 // Organs are stiff.
                 hold.drag = if hold.drag == PoseDrag::Bend { PoseDrag::Turn } else { hold.drag };
