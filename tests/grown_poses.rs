@@ -118,6 +118,57 @@ fn a_bough_is_no_thicker_than_what_carries_it() {
     }
 }
 
+/// Branches, organs and the greatest radius of what stands on a branch that is called so.
+fn carried(built: &Built, called: PartName) -> (usize, usize, f32) {
+    let branches = &built.plant.branches;
+    let is_it = |branch: &Branch| name(branch).map(PartName::Grown) == Some(called);
+    let bough = branches.iter().position(is_it).unwrap();
+    let on = on(built, bough);
+    let organs = built.plant.organs.iter().filter(|organ| organ.branch.is_some_and(|branch| on[branch]));
+    (on.iter().filter(|on| **on).count(), organs.count(), branches[bough].radii[0])
+}
+
+#[test]
+fn a_younger_bough_has_less_of_everything_and_grows_up_with_its_plant() {
+    let sketch = growing("maple", 8.0);
+    let before = built(&sketch);
+    let still = still(&before, bough(&before));
+    let of = |years: f64, younger: u16| {
+        let after = built(&posed(&growing("maple", years), &[PartPose { younger, ..still }]));
+        assert_eq!(after.remarks, before.remarks, "{younger} years");
+        after
+    };
+    let counts = [0, 1, 3, 100].map(|younger| carried(&of(8.0, younger), still.part));
+    assert!(counts.windows(2).all(|pair| pair[0].0 > pair[1].0), "less wood with every year: {counts:?}");
+    assert!(counts.windows(2).all(|pair| pair[0].2 > pair[1].2), "and thinner: {counts:?}");
+    assert!(counts[0].1 > 2 * counts[2].1 && counts[3].1 > 0, "fewer leaves, but some: {counts:?}");
+    // With its plant it grows older, as the bough did at that age.
+    let (young, older) = (carried(&of(8.0, 3), still.part), carried(&of(9.0, 3), still.part));
+    assert!(older.0 > young.0, "{young:?} {older:?}");
+    let then = carried(&built(&growing("maple", 5.0)), still.part);
+    // Others have grown on and left it less room than it had then.
+    assert!(young.0 <= then.0 && 2 * young.0 > then.0, "{young:?} as {then:?} was");
+    // The rest is what it was, but for twigs that find room.
+    let whole = |built: &Built| built.plant.branches.len();
+    let rest = |built: &Built| whole(built) - carried(built, still.part).0;
+    let (now, after) = (rest(&before), rest(&of(8.0, 3)));
+    assert!(now.abs_diff(after) * 25 < now, "{now} {after}");
+}
+
+#[test]
+fn what_grows_on_a_drawn_branch_is_younger_with_it() {
+    let sketch = growing("maple", 6.0);
+    let before = built(&sketch);
+    // The trunk.
+    let younger = PartPose { younger: 3, ..PartPose::still(PartName::Stroke(sketch.strokes[0].id)) };
+    let after = built(&posed(&sketch, &[younger]));
+    assert_eq!(after.remarks, before.remarks);
+    let count = |built: &Built| built.plant.branches.len();
+    assert!(count(&after) * 2 < count(&before), "all stands on it: {} of {}", count(&after), count(&before));
+    let drawn = |built: &Built| built.wood.branches(&built.plant).count();
+    assert_eq!(drawn(&after), drawn(&before), "what was drawn stays");
+}
+
 #[test]
 fn names_stay_at_other_ages_and_under_most_sliders() {
     let ages = [5.0, 6.0, 6.5, 7.0, 8.0].map(|years| growing("maple", years));

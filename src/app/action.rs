@@ -21,6 +21,7 @@ use super::work_surface::WorkSurface;
 use crate::growth::overlay::Wanted;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
+use crate::pipeline::LevelSet;
 use crate::plant::OrganKind;
 use crate::sketch::{Correction, PlacedPlant, StrokeId, TextureChoice, Tool};
 use glam::Vec3;
@@ -137,6 +138,8 @@ pub enum Action {
     SizePart(f32),
     /// Draws out the line of the branch that is chosen to be posed, 0 as it grew, 1 straight.
     StraightenPart(f32),
+    /// Show it so many years younger than it is.
+    MakePartYounger(u16),
     /// Take it away.
     TakeAwayPart,
     /// Put the selected strokes on the clipboard.
@@ -259,6 +262,12 @@ pub enum Action {
     Stride(Stride),
     /// What is seen of growth over the plant.
     SetOverlay(Wanted),
+    /// Shows the plant in levels of detail, as engines do, or as it is.
+    ShowLevels(Option<LevelSet>),
+    /// Shows one level at any distance, or each at its own.
+    HoldLevel(Option<usize>),
+    /// Goes so many metres away from the plant.
+    SetDistance(f32),
     /// Copy the picture of the plant to the clipboard.
     CopyPicture,
     /// Remember what the export dialog says.

@@ -11,6 +11,7 @@
 //! | `background` | the way back from other threads |
 //! | `preferences` | settings, language, fonts, colours |
 //! | `live_plant` | the worker, the newest plant, growth replayed |
+//! | `shown_levels` | the plant's levels of detail, and which of them is on the screen |
 //! | `beside_state` | which plant beside the drawn one is selected and held |
 //! | `petal_tool` | the tool that shapes petals: which petal, which of its points |
 //! | `space_tool` | the tool that draws branches in space: its surface, the branch under the pen |
@@ -75,9 +76,11 @@ mod preset_folder;
 mod readings;
 mod reference;
 mod reference_hold;
+mod replacing;
 mod replay;
 mod saver;
 mod saving;
+mod shown_levels;
 mod snap_trunk;
 mod snapshot;
 mod space;
@@ -111,6 +114,7 @@ use petal_tool::PetalTool;
 use plant_search::PlantSearch;
 use pose_tool::PoseTool;
 use preferences::Preferences;
+use shown_levels::ShownLevels;
 use space_tool::{SpaceStroke, SpaceTool};
 use std::time::{Duration, Instant};
 use updates::Updates;
@@ -135,6 +139,7 @@ pub struct Editor {
     outcomes: Vec<CanvasOutcome>,
     pub(super) plant: PlantView,
     live: LivePlant,
+    levels: ShownLevels,
     beside: Beside,
     petals: PetalTool,
     space: SpaceTool,
@@ -164,6 +169,7 @@ impl Editor {
         self.collect_export();
         self.collect_save();
         self.collect_plant_search();
+        self.collect_levels();
         if self.prefs.collect_system_theme() {
             self.updates.drawing_changed();
         }
@@ -330,7 +336,10 @@ impl Editor {
 
     /// Whether another thread works on something that will be shown.
     pub fn is_working(&self) -> bool {
-        self.live.is_working() || self.disk.exports.is_busy() || self.disk.saver.is_busy()
+        self.live.is_working()
+            || self.levels.is_busy()
+            || self.disk.exports.is_busy()
+            || self.disk.saver.is_busy()
     }
 
     /// When something on the screen changes by itself.

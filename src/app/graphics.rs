@@ -181,7 +181,7 @@ impl Graphics {
         if size.0 > 0 && size.1 > 0 {
             let (camera, look) = (editor.plant.camera(), editor.plant_look());
             let scene = Scene { size, camera, look, plant: editor.versions().plant };
-            self.plant_painter.request(scene, editor.built());
+            self.plant_painter.request(scene, editor.subject());
         }
         editor.plant.awaits_picture = self.plant_painter.is_busy();
         if let Some(picture) = &self.plant.picture

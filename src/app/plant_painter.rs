@@ -8,6 +8,7 @@
 //! which it starts.
 
 use super::{free_memory, growth_spots, priority, texture_files};
+use crate::model::Model;
 use crate::pipeline::{self, Built};
 use crate::render::{Look, OrbitCamera, RenderError, Renderer, ShownPicture, Viewport};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -24,6 +25,14 @@ pub(super) struct Scene {
     pub(super) plant: u64,
 }
 
+/// The plant that is painted.
+#[derive(Clone)]
+pub(super) struct Subject {
+    pub(super) built: Arc<Built>,
+    /// One of its levels of detail, in the place of its own surfaces.
+    pub(super) level: Option<Arc<Model>>,
+}
+
 /// The answer to a request.
 #[derive(Default)]
 pub(super) struct Painted {
@@ -35,11 +44,11 @@ pub(super) struct Painted {
 
 #[derive(Default)]
 struct State {
-    request: Option<(Scene, Option<Arc<Built>>)>,
+    request: Option<(Scene, Option<Subject>)>,
     is_painting: bool,
     painted: Option<Painted>,
     /// Plants of requests that were replaced: their memory is freed on this thread and not in the window.
-    outdated: Vec<Option<Arc<Built>>>,
+    outdated: Vec<Option<Subject>>,
     is_lost: bool,
     is_closing: bool,
 }
@@ -78,14 +87,14 @@ impl PlantPainter {
     }
 
     /// Requests a picture, unless it is the one that was requested last.
-    pub(super) fn request(&mut self, scene: Scene, built: Option<&Arc<Built>>) {
+    pub(super) fn request(&mut self, scene: Scene, subject: Option<Subject>) {
         if self.requested.as_ref() == Some(&scene) {
             return;
         }
         self.requested = Some(scene.clone());
         let mut state = self.shared.state();
-        let outdated = state.request.replace((scene, built.map(Arc::clone)));
-        state.outdated.extend(outdated.map(|(_, built)| built));
+        let outdated = state.request.replace((scene, subject));
+        state.outdated.extend(outdated.map(|(_, subject)| subject));
         drop(state);
         self.shared.changed.notify_one();
     }
@@ -132,9 +141,9 @@ fn paint(shared: &Shared, wake: &dyn Fn()) {
         }
     };
     let mut has_worked = true;
-    while let Some((scene, built)) = next(shared, &mut has_worked) {
-        let painted = painter.paint(&scene, built.as_deref());
-        drop(built);
+    while let Some((scene, subject)) = next(shared, &mut has_worked) {
+        let painted = painter.paint(&scene, subject.as_ref());
+        drop(subject);
         let mut state = shared.state();
         state.is_painting = false;
         state.is_lost = painter.renderer.is_lost();
@@ -154,7 +163,7 @@ fn paint(shared: &Shared, wake: &dyn Fn()) {
 }
 
 /// Waits for a request; `None` when the window closes.
-fn next(shared: &Shared, has_worked: &mut bool) -> Option<(Scene, Option<Arc<Built>>)> {
+fn next(shared: &Shared, has_worked: &mut bool) -> Option<(Scene, Option<Subject>)> {
     let mut state = shared.state();
     loop {
         if state.is_closing {
@@ -187,18 +196,19 @@ impl Painter {
         Ok(Self { renderer, viewport, plant: 0 })
     }
 
-    fn paint(&mut self, scene: &Scene, built: Option<&Built>) -> Painted {
-        let shown = built.map_or(Ok(()), |built| self.show(scene.plant, built));
+    fn paint(&mut self, scene: &Scene, subject: Option<&Subject>) -> Painted {
+        let shown = subject.map_or(Ok(()), |subject| self.show(scene.plant, subject));
         let painted = self.draw(scene);
         let (picture, failed) = painted.map_or_else(|error| (None, Some(error)), |picture| (picture, None));
         Painted { picture, failure: shown.err().or(failed) }
     }
 
-    fn show(&mut self, plant: u64, built: &Built) -> Result<(), RenderError> {
+    fn show(&mut self, plant: u64, Subject { built, level }: &Subject) -> Result<(), RenderError> {
         if std::mem::replace(&mut self.plant, plant) == plant {
             return Ok(());
         }
-        let stats = self.viewport.update(&self.renderer, pipeline::seen(built), &texture_files::texture)?;
+        let seen = pipeline::seen_as(built, level.as_deref().unwrap_or(&built.model));
+        let stats = self.viewport.update(&self.renderer, seen, &texture_files::texture)?;
         tracing::debug!("uploaded {} of {} parts", stats.uploaded_parts, stats.parts);
         self.viewport.set_overlay(&self.renderer, &growth_spots::drawn(&built.overlay));
         Ok(())

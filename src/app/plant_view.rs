@@ -10,6 +10,7 @@ mod walking;
 
 use super::view_state::{LightChoice, Shading, ViewState};
 use crate::geom::ray::Ray;
+use crate::model;
 use crate::pen::{PenPhase, PenSample};
 use crate::render::{Background, LightParams, Look, Mode, OrbitCamera, Projection, Quality};
 use egui::{Response, Sense, Ui};
@@ -31,6 +32,8 @@ const TURNTABLE: f32 = 24.0;
 const REST: Duration = Duration::from_millis(450);
 /// How long after a click a second one makes it a double click.
 const DOUBLE_CLICK: Duration = Duration::from_millis(350);
+/// Share of the view's height that the plant has at the nearest of the distances that are chosen by number.
+const NEAREST: f32 = 1.25;
 /// Zoom of one point of scrolling.
 const ZOOM_PER_POINT: f32 = 1.0025;
 
@@ -50,6 +53,17 @@ struct Flight {
     /// Where it ends; without that at the front of the plant, as it is then.
     to: Option<OrbitCamera>,
     begun: Instant,
+}
+
+/// How far away the plant is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distance {
+    /// Metres from the eye to its middle.
+    pub metres: f32,
+    /// Nearest and farthest that one goes, metres.
+    pub range: (f32, f32),
+    /// Share of the view's height that it fills there.
+    pub share: f32,
 }
 
 /// A single click on the plant.
@@ -441,6 +455,24 @@ impl PlantView {
     /// The ray into the plant at a place of the view; `None` without a plant.
     pub fn ray(&self, at: Vec2) -> Option<Ray> {
         self.bounds.map(|bounds| self.camera.ray(at, bounds))
+    }
+
+    /// How far away the plant is, and between which distances it is seen at all in levels of detail, metres; `None` without a plant.
+    pub fn distance(&self) -> Option<Distance> {
+        let (low, high) = self.bounds?;
+        let height = (high.y - low.y).max(1e-6);
+        let metres = self.camera.distance_to(low.midpoint(high));
+        let range =
+            (self.camera.distance_for(height, NEAREST), self.camera.distance_for(height, model::NOTHING));
+        Some(Distance { metres, range, share: self.camera.distance_for(height, 1.0) / metres.max(1e-6) })
+    }
+
+    /// Goes so many metres away from the plant; a walk ends.
+    pub fn set_distance(&mut self, metres: f32) {
+        let Some((low, high)) = self.bounds.filter(|_| metres.is_finite()) else { return };
+        self.stop_walking();
+        self.take_hold();
+        self.camera.keep_away(low.midpoint(high), metres);
     }
 
     /// The camera as it stands.

@@ -12,6 +12,8 @@ pub enum PoseDrag {
     Move,
     /// Sets it on another branch.
     Graft,
+    /// Makes it a copy of another leaf, flower or fruit.
+    Replace,
     /// Draws a loop around parts that are chosen together.
     Choose,
 }

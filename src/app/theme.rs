@@ -228,6 +228,8 @@ pub fn style(theme: Theme) -> Style {
     spacing.menu_margin = Margin::same(8);
     spacing.tooltip_width = 300.0;
     spacing.combo_height = 400.0;
+    // What is longer than its room says so before anybody scrolls.
+    spacing.scroll.dormant_handle_opacity = 0.4;
     style.interaction.selectable_labels = false;
     style.interaction.tooltip_delay = 0.4;
     style

@@ -149,7 +149,8 @@ struct Shown {
 
 impl Shown {
     fn new(simulation: &Simulation, age: f32) -> Self {
-        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) = with_wood(simulation, age, None);
+        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) =
+            with_wood(simulation, simulation.tree(), age, None);
         let nodes = |c: &Chain| chains.nodes[c.range.0 as usize..c.range.1 as usize].to_vec();
         let blade = |o: &Organ| match &o.shape {
             Shape::Blade(b) => Some((b.base, b.v.length())),
@@ -158,7 +159,7 @@ impl Shown {
         let mut blades: Vec<(Vec3, f32)> = plant.organs.iter().filter_map(blade).collect();
         blades.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
         Self {
-            wood: wood_at_age(simulation, age),
+            wood: wood_at_age(simulation, simulation.tree(), age),
             branches: chains.chains.iter().map(nodes).zip(plant.branches).collect(),
             blades,
         }

@@ -43,7 +43,7 @@ mod tree;
 mod volume;
 mod year;
 
-pub use at_age::{PlantAtAge, foliage, plant_at};
+pub use at_age::{PlantAtAge, Younger, foliage, plant_at};
 pub use from_drawing::{DrawnCrowns, GrowthParams, Memory, Start, drawing, merge};
 pub use habit::{Habit, Schedule};
 pub use lead::lead_into;

@@ -165,6 +165,12 @@ impl Tree {
         self.nodes.born[node] <= year && self.nodes.died[node] > year
     }
 
+    /// How many nodes there are up to the last that was born by the end of a year. Of a tree whose branches have ages of their own some
+    /// of these are younger.
+    pub fn born_by(&self, year: u16) -> usize {
+        self.nodes.born.iter().rposition(|born| *born <= year).map_or(0, |last| last + 1)
+    }
+
     /// Whether a node begins a lateral axis.
     pub fn begins_lateral(&self, node: usize) -> bool {
         self.nodes.axis[node] as usize == node && self.nodes.parent[node] != NONE

@@ -1,11 +1,42 @@
 //! Several models of one plant, the finest first, as one: levels of detail for files that hold them all.
 //!
 //! Parts of a level have its number behind their names. Materials that levels have in common are there once.
+//!
+//! Which level is shown follows from the share of the screen's height that the plant fills: the shares fall with the square root of
+//! the triangles, so that these are about equally dense on the screen. No level but the last is shown over more than four times the
+//! distance: two crossing pictures have so few triangles that they would else come when the plant is a few pixels high.
 
 use super::Model;
 use crate::plant::Material;
 use smol_str::format_smolstr;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// The share of the screen's height below which the second level is shown.
+const SECOND: f32 = 0.5;
+/// The share of the screen's height below which a plant in levels of detail is not shown at all.
+pub const NOTHING: f32 = 0.004;
+
+/// Least share of a level, in that of the level before it.
+const NEXT: f32 = 0.25;
+
+/// For levels of so many triangles, the finest first, the share of the screen's height down to which each is shown, 0 to 1.
+pub fn screen_shares(triangles: &[usize]) -> Vec<f32> {
+    let of_second = triangles.get(1).copied().unwrap_or(1).max(1) as f32;
+    let mut before = 0.0;
+    let mut share = |of: &usize| {
+        let by_triangles = SECOND * (*of as f32 / of_second).sqrt();
+        before = by_triangles.max(NEXT * before).max(NOTHING);
+        before
+    };
+    let of_levels: Vec<f32> = triangles.iter().skip(1).map(&mut share).collect();
+    of_levels.into_iter().chain([NOTHING]).collect()
+}
+
+/// The level that is shown where the plant fills this share of the screen's height, of levels that are shown down to `shares`; the last
+/// below all of them.
+pub fn shown_at(share: f32, shares: &[f32]) -> usize {
+    shares.iter().position(|down_to| share >= *down_to).unwrap_or(shares.len().saturating_sub(1))
+}
 
 /// Models of one plant in one.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -60,6 +91,17 @@ fn place_of(materials: &mut Vec<Material>, mut material: Material, level: usize)
 mod tests {
     use super::super::{Mesh, Part, PartKind};
     use super::*;
+
+    #[test]
+    fn coarser_levels_are_for_smaller_pictures() {
+        let shares = screen_shares(&[400_000, 40_000, 10_000, 8]);
+        assert!((shares[0] - 0.5).abs() < 1e-6 && (shares[1] - 0.25).abs() < 1e-6, "{shares:?}");
+        assert_eq!(shares[2..], [0.0625, NOTHING], "pictures come before the plant is too small to be seen");
+        let levels = [2.0, 0.5, 0.49, 0.25, 0.1, 0.005, 0.001].map(|share| shown_at(share, &shares));
+        assert_eq!(levels, [0, 0, 1, 1, 2, 3, 3]);
+        assert_eq!((shown_at(0.1, &[NOTHING]), shown_at(0.1, &[])), (0, 0));
+    }
+
     use glam::Vec3;
     use std::sync::Arc;
 

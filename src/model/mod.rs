@@ -88,7 +88,7 @@ pub use cache::Cache;
 pub use copies::{Copies, Placement};
 pub use flat::{BladeMeshParams, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
-pub use levels::Levels;
+pub use levels::{Levels, NOTHING, screen_shares, shown_at};
 pub use measure::{Measure, Measures};
 pub use mesh::{Mesh, Vertex};
 pub use params::{ModelParams, TriangleParams};

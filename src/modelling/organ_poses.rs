@@ -3,7 +3,7 @@
 //! They are posed when the species has given the plant its looks: so all else stays as it was, to the last bit, and a flower is
 //! moved with its disc and sepals, a compound leaf with its leaflets. What was drawn or grew with a name is found again by
 //! that. A leaf turns about the place that its stalk stands on, slides along its stem, and goes with that where it was posed;
-//! a petal turns in its flower. Grafted, it stands on another branch.
+//! a petal turns in its flower. Grafted, it stands on another branch; a copy of another takes its place where the artist wants that.
 //!
 //! Limits: organs are not bent, and nothing keeps them from passing through others. Of a flower that stands on no drawn or
 //! grown part, as those of built-in inflorescences, there is no name.
@@ -11,11 +11,12 @@
 use super::graft::{GraftPlace, GraftPlaces};
 use super::part_names::PartNames;
 use super::poses::{PartFrame, Posed};
+use super::replace::replace;
 use super::slide::{Place, Slide};
 use crate::plant::{FlowerBuds, Motion, Organ, OrganPart, Origin, Plant};
 use crate::sketch::{PartName, PartPose};
 use glam::{Quat, Vec3};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Organs that are moved as one: a leaf with its leaflets, a flower, both with their stalk if a rule made that, a single petal, a pot with its earth.
 #[derive(Clone, Debug, PartialEq)]
@@ -198,18 +199,20 @@ pub fn pose_organs(
         return;
     }
     let pose_of: HashMap<PartName, PartPose> = poses.iter().map(|pose| (pose.part, *pose)).collect();
-    let groups = OrganGroup::all(plant, names, |name| pose_of.contains_key(&name));
+    let patterns: HashSet<PartName> = poses.iter().filter_map(|pose| pose.like).collect();
+    let is_wanted = |name| pose_of.contains_key(&name) || patterns.contains(&name);
+    let groups = OrganGroup::all(plant, names, is_wanted);
     poses.retain(|pose| groups.iter().all(|group| group.name != pose.part));
     let is_any_grafted = pose_of.values().any(|pose| pose.graft.is_some());
     let places = is_any_grafted.then(|| GraftPlaces::new(plant, names, &[]));
     for group in &groups {
+        let Some(pose) = pose_of.get(&group.name) else { continue };
         let parent_turn = group.parent_turn(plant, names, posed);
-        let pose = &pose_of[&group.name];
         let graft = places.as_ref().and_then(|places| group.graft(plant, places, pose));
         let (motion, frame) = group.posed(plant, parent_turn, (pose, graft.as_ref()), scale);
         group.move_by(plant, &motion);
         graft.iter().for_each(|graft| group.stand_on(plant, graft.branch));
-        posed.resting_grafts += usize::from(pose.graft.is_some() && graft.is_none());
+        posed.resting += usize::from(pose.graft.is_some() && graft.is_none());
         if group.is_flower {
             let petals = groups.iter().filter(|petal| !petal.is_flower && petal.flower == group.flower);
             for petal in petals {
@@ -218,7 +221,10 @@ pub fn pose_organs(
         }
         posed.organs.insert(group.name, frame);
     }
-    take_away(plant, groups.iter().filter(|group| pose_of[&group.name].is_cut));
+    let (replaced, resting) = replace(plant, &groups, &pose_of);
+    posed.resting += resting;
+    let is_cut = |group: &&OrganGroup| pose_of.get(&group.name).is_some_and(|pose| pose.is_cut);
+    take_away(plant, groups.iter().filter(is_cut).chain(&replaced));
     if is_any_grafted {
         plant.put_parents_first(&mut FlowerBuds::default());
     }

@@ -73,8 +73,8 @@ pub struct Posed {
     wood: HashMap<Origin, Moved>,
     /// Organs that have poses themselves.
     pub(super) organs: HashMap<PartName, PartFrame>,
-    /// How many parts could not be set on the branch onto which they are grafted.
-    pub(super) resting_grafts: usize,
+    /// How many parts could not be set on the branch onto which they are grafted, or found nothing to be a copy of.
+    pub(super) resting: usize,
 }
 
 impl Posed {
@@ -102,10 +102,10 @@ impl Posed {
 /// Poses the branches that strokes drew, and all that grows on them; says where they were. `scale` is what a pixel of the canvas is,
 /// metres. Poses that are left in `poses` are of no branch of the plant.
 pub fn pose_wood(plant: &mut Plant, names: &PartNames, poses: &mut Vec<PartPose>, scale: f32) -> Posed {
-    let resting_grafts = graft((plant, &mut FlowerBuds::default()), &mut [], (names, poses));
+    let resting = graft((plant, &mut FlowerBuds::default()), &mut [], (names, poses));
     let moved = pose_branches(plant, &joints(plant, names, &[], poses), scale);
     move_organs(plant, |branch, at| Some(moved.get(&branch)?.at(at, false)));
-    let mut posed = Posed { resting_grafts, ..Posed::default() };
+    let mut posed = Posed { resting, ..Posed::default() };
     posed.insert(&plant.branches, moved);
     posed
 }
@@ -122,7 +122,7 @@ pub fn pose_grown_wood(
         return;
     }
     let mut continued = continued.to_vec();
-    posed.resting_grafts += graft((plant, buds), &mut continued, (names, poses));
+    posed.resting += graft((plant, buds), &mut continued, (names, poses));
     let joints = joints(plant, names, &continued, poses);
     let moved = pose_branches(plant, &joints, scale);
     let motion_on = |branch: usize, at: Vec3| Some(moved.get(&branch)?.at(at, false));
@@ -134,7 +134,7 @@ pub fn pose_grown_wood(
 
 /// The remark that poses have found no part, or no branch to graft theirs onto.
 pub fn poses_at_rest(left: &[PartPose], posed: &Posed) -> Option<Remark> {
-    let poses = left.len() + posed.resting_grafts;
+    let poses = left.len() + posed.resting;
     (poses > 0).then_some(Remark::PosesRest { poses })
 }
 

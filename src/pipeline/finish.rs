@@ -6,6 +6,7 @@ use super::placing::{BuiltBeside, Placing};
 use super::setup::Params;
 use super::source::{Ages, MayBear, Produced};
 use super::triangle_budget::{self, Finer};
+use super::usual_species::DEFAULT_SPECIES;
 use crate::anatomy::Anatomy;
 use crate::budget::Budget;
 use crate::cards::{self, CardParams};
@@ -18,7 +19,7 @@ use crate::plant::{FinishedPlant, FlowerBuds, Plant, Provenance};
 use crate::sketch::{Remark, Textures, Warning};
 use crate::species::{self, Applied, Species};
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 
 /// A plant with everything that is known of it.
@@ -80,7 +81,7 @@ pub(super) fn finish(
     let mut remark = |remark| remarks.push(Warning { stroke: None, remark });
     let names = PartNames::new(&provenance);
     let plant = clock.time("species", || {
-        let looks = looks(species, params, may_bear);
+        let looks = looks(species, params, (may_bear, !plant.flowers.is_empty()));
         // Outside of its time of blossom a tree shows nothing of its flower buds.
         let buds =
             if looks.blossom.is_some() == species.blossom.is_some() { buds } else { FlowerBuds::default() };
@@ -135,9 +136,23 @@ pub(super) fn finish(
     })
 }
 
-/// The looks of a species with the artist's flowers at the time of the year, without what the plant may not bear.
-fn looks<'a>(species: &'a Species, params: &Params, may_bear: MayBear) -> Cow<'a, Species> {
+/// What flowers look like that are drawn for a species without any.
+static USUAL_FLOWERS: LazyLock<Option<Species>> = LazyLock::new(|| Species::built_in(DEFAULT_SPECIES).ok());
+
+/// The looks of a species with the artist's flowers at the time of the year, without what the plant may not bear; one without flowers has
+/// the usual ones where some are drawn.
+fn looks<'a>(
+    species: &'a Species,
+    params: &Params,
+    (may_bear, has_flowers): (MayBear, bool),
+) -> Cow<'a, Species> {
     let mut looks = params.flower.applied(species);
+    if has_flowers
+        && looks.flowers.is_empty()
+        && let Some(usual) = USUAL_FLOWERS.as_ref()
+    {
+        looks.to_mut().take_flowers_of(usual);
+    }
     // Leaves of roses are made for their season.
     if species.rose.is_none() && params.season.time != looks.season.time {
         looks.to_mut().season.time = params.season.time;
@@ -208,4 +223,27 @@ fn affordable<'a>(plant: &Plant, params: &'a ModelParams, most: u64, grew: bool)
         affordable.to_mut().blade.gathered = true;
     }
     Fineness { params: affordable, is_coarser }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{build, params_of};
+    use super::*;
+    use crate::plant::OrganKind;
+    use std::path::Path;
+
+    #[test]
+    fn flowers_drawn_for_a_tree_are_no_leaves() {
+        let file = format!("{}/assets/sketches/daisy.penstemon", env!("CARGO_MANIFEST_DIR"));
+        let (sketch, _) = crate::sketch::read(Path::new(&file)).unwrap();
+        let oak = Species::built_in("oak").unwrap();
+        let params = params_of(&sketch, &oak, &[]).unwrap();
+        let built = build(&sketch, &oak, &params);
+        let materials = built.plant.materials();
+        let petals = built.plant.organs.iter().filter(|organ| organ.kind() == OrganKind::Petal);
+        let names: Vec<&str> =
+            petals.map(|petal| &*materials[built.plant.material(petal.role)].name).collect();
+        assert!(names.len() > 10 && names.iter().all(|name| name.starts_with("petal")), "{names:?}");
+        assert!(materials.iter().any(|material| material.name == "heart"), "and a centre");
+    }
 }

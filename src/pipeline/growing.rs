@@ -9,12 +9,12 @@ use super::source::Ages;
 use crate::anatomy::Anatomy;
 use crate::depth;
 use crate::growth::{
-    DrawnCrowns, Limits, Memory, Obstacles, Outcome, PlantAtAge, Start, drawing, foliage, merge,
+    DrawnCrowns, Limits, Memory, Obstacles, Outcome, PlantAtAge, Start, Younger, drawing, foliage, merge,
 };
 use crate::learned_depth::DepthField;
 use crate::plant::{Continued, Plant, Provenance};
 use crate::quote;
-use crate::sketch::{PartName, Remark, Sketch, StrokeId, Warning};
+use crate::sketch::{PartName, PartPose, Remark, Sketch, StrokeId, Warning};
 use crate::species::Species;
 use std::sync::Arc;
 
@@ -81,10 +81,22 @@ pub(super) fn grow_on(
         PartName::Grown(name) => Some(name),
         PartName::Stroke(_) => None,
     });
-    let posed = posed.collect();
-    let (made, continued) = merge::merged((drawn, provenance), &grows, &grown, &posed);
+    let by_artist = (&posed.collect(), &younger(&sketch.part_poses));
+    let (made, continued) = merge::merged((drawn, provenance), &grows, &grown, by_artist);
     remarks.extend(thinned_leaves(&made.plant, grown.simulation.limits(), stroke));
     Some(GrownDrawing { made, ages, continued })
+}
+
+/// How many years younger the artist made branches.
+fn younger(poses: &[PartPose]) -> Younger {
+    let mut younger = Younger::default();
+    for pose in poses.iter().filter(|pose| pose.younger > 0) {
+        match pose.part {
+            PartName::Grown(name) => younger.grown.insert(name, pose.younger),
+            PartName::Stroke(stroke) => younger.drawn.insert(stroke, pose.younger),
+        };
+    }
+    younger
 }
 
 /// Why growth ended before what was asked for, at an age.

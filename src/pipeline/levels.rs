@@ -8,13 +8,16 @@
 //!
 //! Limits: what was drawn stays in all levels, so that of a drawing with many strokes small levels are larger than they should be.
 
-use super::setup::Params;
+use super::finish::Built;
+use super::setup::{Params, SetupError, params_of, species_or_usual};
 use super::triangle_budget::{self, Finer};
 use crate::cards::{self, CardParams};
 use crate::garden::{Coarser, Grown, Views};
 use crate::model::{self, Model, ModelParams};
 use crate::plant::FinishedPlant;
+use crate::sketch::Sketch;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// How much of a plant a level has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,6 +90,20 @@ pub fn levels(plant: &FinishedPlant, whole: &Model, params: &Params, wanted: &[L
     let mut models = all_levels(plant, whole, params, wanted);
     models.dedup_by_key(|model| model.triangle_count());
     models
+}
+
+/// The same for the plant of a drawing, whose species may be a file in `folder`.
+///
+/// # Errors
+/// A species or parameters that cannot be used.
+pub fn levels_of_drawing(
+    (sketch, folder): (&Sketch, &Path),
+    built: &Built,
+    set: LevelSet,
+) -> Result<Vec<Model>, SetupError> {
+    let (species, _) = species_or_usual(sketch, folder)?;
+    let params = params_of(sketch, &species, &[])?;
+    Ok(levels(&built.plant, &built.model, &params, &set.levels()))
 }
 
 /// The model of each level.

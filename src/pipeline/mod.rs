@@ -44,11 +44,11 @@ pub use clock::Clock;
 pub use drawing::DrawingMemory;
 pub use finish::Built;
 pub use individuals::{FEWEST_TRIANGLES, Form, Grower, triangles_of_each};
-pub use levels::{Level, LevelSet, levels};
+pub use levels::{Level, LevelSet, levels, levels_of_drawing};
 pub use painted_garden::GardenMemory;
 pub use placing::BuiltBeside;
 pub use seed::SeedMemory;
-pub use seen::seen;
+pub use seen::{seen, seen_as};
 pub use setup::{
     Params, SetupError, check_blooms, check_grows, params_of, params_of_species, species_file, species_of,
     species_or_usual, usual_species,

@@ -14,9 +14,14 @@ const COLOUR: [f32; 3] = [0.46, 0.42, 0.37];
 
 /// What is seen of a plant: its model with its garden, and what stands in its way.
 pub fn seen(built: &Built) -> Seen<'_> {
+    seen_as(built, &built.model)
+}
+
+/// The same with another model in the place of the plant's own: one of its levels of detail.
+pub fn seen_as<'a>(built: &'a Built, model: &'a Model) -> Seen<'a> {
     let model = match &built.obstacles {
-        Some(obstacles) => Cow::Owned(with_obstacles(&built.model, obstacles)),
-        None => Cow::Borrowed(&built.model),
+        Some(obstacles) => Cow::Owned(with_obstacles(model, obstacles)),
+        None => Cow::Borrowed(model),
     };
     match &built.garden {
         Some(garden) => Seen::with_garden(model, garden),

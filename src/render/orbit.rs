@@ -133,6 +133,30 @@ impl OrbitCamera {
         2.0 * self.distance * self.slope()
     }
 
+    /// Metres from the eye to a place; without perspective to the target, because everything is as large as it is there.
+    pub fn distance_to(&self, place: Vec3) -> f32 {
+        match self.projection {
+            Projection::Perspective => self.eye().distance(place),
+            Projection::Orthographic => self.distance,
+        }
+    }
+
+    /// Comes closer, or goes back, until a place is so many metres away; what is looked at stays in the middle.
+    pub fn keep_away(&mut self, place: Vec3, distance: f32) {
+        let aside = self.target - place;
+        let along = aside.dot(self.axes().back);
+        let room = distance * distance - aside.length_squared() + along * along;
+        self.set_distance(match self.projection {
+            Projection::Perspective => room.max(0.0).sqrt() - along,
+            Projection::Orthographic => distance,
+        });
+    }
+
+    /// Distance from which something so many metres high fills a share of the view's height, metres.
+    pub fn distance_for(&self, height: f32, share: f32) -> f32 {
+        height / (2.0 * self.slope() * share)
+    }
+
     /// The way from this camera to another, `t` from 0 to 1: the shorter way round, and zooming evenly to the eye.
     /// On the way between two projections depth shows in perspective.
     pub fn lerp(&self, to: &Self, t: f32) -> Self {
@@ -275,6 +299,24 @@ mod tests {
             view(Direction::Side, Projection::Orthographic),
         ]
         .map(|view| OrbitCamera::of_view(&view))
+    }
+
+    #[test]
+    fn a_place_is_as_far_away_as_was_asked_for_and_fills_that_share() {
+        for mut camera in sides() {
+            camera.fit(BOX, 1.5);
+            camera.pan(Vec2::new(0.1, -0.2));
+            let (place, target) = ((BOX.0 + BOX.1) / 2.0, camera.target);
+            for distance in [3.0, 40.0] {
+                camera.keep_away(place, distance);
+                assert!((camera.distance_to(place) / distance - 1.0).abs() < 1e-3, "{camera:?} {distance}");
+                assert_eq!(camera.target, target);
+            }
+            let far = camera.distance_for(1.4, 0.1);
+            camera.keep_away(camera.target, far);
+            let share = 1.4 / camera.height();
+            assert!((share - 0.1).abs() < 1e-4, "{camera:?}: {share}");
+        }
     }
 
     #[test]

@@ -58,10 +58,14 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
 /// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on, and strokes of the leaf and the flower brush.
 /// 11: a garden around the plant. 12: ages and other drawings in it. 13: parts that are straightened or grafted.
-pub const VERSION: u32 = 13;
+/// 14: branches that are younger than their plant, and parts that are copies of others.
+pub const VERSION: u32 = 14;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
+    if !sketch.part_poses.iter().all(PartPose::is_of_version_13) {
+        return 14;
+    }
     if !sketch.part_poses.iter().all(PartPose::is_of_old_kinds) {
         return 13;
     }

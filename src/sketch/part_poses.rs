@@ -1,5 +1,5 @@
-//! Parts of a plant that the artist turned, bent, straightened, moved, grafted, made larger or took away in the view of the plant:
-//! what a drawing keeps of it.
+//! Parts of a plant that the artist turned, bent, straightened, moved, grafted, made larger, made younger or took away in the view of
+//! the plant: what a drawing keeps of it.
 //!
 //! A part is a branch, or a leaf, a flower, a fruit or a pot. A [`PartPose`] names it by the stroke that drew it, or where it grew by
 //! the way of buds that it grew from, so that it is found again when the plant grows anew, at another age, and where most
@@ -61,11 +61,16 @@ pub struct PartPose {
     pub straight: f32,
     /// The other branch that it stands on; it is moved from there.
     pub graft: Option<Graft>,
+    /// The other leaf, flower or fruit of the plant that it is a copy of; branches, petals and pots are none.
+    pub like: Option<PartName>,
     /// How its base is moved, pixels of the canvas. What grows on a branch then stands where that comes nearest to there, and what
     /// stands on the ground stays on it.
     pub shift: Vec3,
     /// How many times as thick a branch is with all that grows on it, or how many times as large an organ, in [`THICKNESSES`].
     pub thickness: f32,
+    /// How many years younger than it is a branch is shown, with all that grew on it; of drawn wood what grew on that. It keeps what
+    /// grew in one year; organs have no age.
+    pub younger: u16,
     /// Whether it was cut off; what was drawn is taken away with its stroke.
     pub is_cut: bool,
 }
@@ -77,7 +82,18 @@ impl PartPose {
     /// The pose of a part that is as it was drawn or grew.
     pub fn still(part: PartName) -> Self {
         let (turn, bend, shift) = (Quat::IDENTITY, Quat::IDENTITY, Vec3::ZERO);
-        Self { part, turn, bend, straight: 0.0, graft: None, shift, thickness: 1.0, is_cut: false }
+        Self {
+            part,
+            turn,
+            bend,
+            straight: 0.0,
+            graft: None,
+            like: None,
+            shift,
+            thickness: 1.0,
+            younger: 0,
+            is_cut: false,
+        }
     }
 
     /// Whether it changes nothing.
@@ -88,6 +104,11 @@ impl PartPose {
     /// Whether drawings held poses like this one before parts were straightened and grafted.
     pub(super) fn is_of_old_kinds(&self) -> bool {
         self.straight == 0.0 && self.graft.is_none()
+    }
+
+    /// Whether drawings held poses like this one before branches were younger than their plant, and parts copies of others.
+    pub(super) fn is_of_version_13(&self) -> bool {
+        self.younger == 0 && self.like.is_none()
     }
 
     /// Whether drawings held poses like this one before wood that grew was posed.
@@ -144,6 +165,9 @@ pub(super) fn check_one(pose: &PartPose) -> Result<(), String> {
         return Err(format!("the `straight` of {part} is {}; write a number from 0 to 1", pose.straight));
     }
     check_graft(pose)?;
+    if pose.like == Some(part) {
+        return Err(format!("{part} is a copy of itself; name another part in its `like`"));
+    }
     if !THICKNESSES.contains(&pose.thickness) {
         let (least, most) = (THICKNESSES.start(), THICKNESSES.end());
         return Err(format!(

@@ -35,6 +35,8 @@ macro_rules! readings {
 readings! {
     /// A trunk with a crown.
     Tree = "tree", "is read as a trunk and its crown";
+    /// A trunk with boughs and twigs, without leaves.
+    BareTree = "bare_tree", "is read as a bare tree";
     /// A crown without a trunk.
     Bush = "bush", "is read as a bush";
     /// A cactus.

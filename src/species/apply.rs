@@ -68,7 +68,8 @@ pub struct Applied {
 /// Gives a plant with flower buds its species' materials and forms and adds what the drawing does not say: receptacles with stamens and
 /// styles, sepals, blossom, thorns, pot.
 ///
-/// Buds open where the species says how it blossoms. The flowers' looks are taken in turn. Petals of a species without flowers look like leaves.
+/// Buds open where the species says how it blossoms. The flowers' looks are taken in turn. Petals of a species without flowers look like leaves
+/// ([`Species::take_flowers_of`] gives it some).
 pub fn apply(
     plant: Plant,
     buds: &FlowerBuds,

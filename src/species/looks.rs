@@ -88,6 +88,15 @@ impl Species {
         self.growth.is_some() || self.rose.is_some() || self.blooms()
     }
 
+    /// Takes over the flowers of another species with their materials: for flowers drawn on, or beside, a plant that has none. A
+    /// material that it has itself stays its own.
+    pub fn take_flowers_of(&mut self, other: &Self) {
+        self.flowers.clone_from(&other.flowers);
+        for (name, look) in &other.materials {
+            self.materials.entry(name.clone()).or_insert_with(|| look.clone());
+        }
+    }
+
     /// The looks that drawn flowers have in turn; all of them if none is meant for drawn ones.
     pub fn looks_of_drawn(&self) -> Vec<usize> {
         let drawn: Vec<usize> = (0..self.flowers.len()).filter(|k| self.flowers[*k].drawn).collect();

@@ -185,22 +185,28 @@ fn part_poses() -> impl Strategy<Value = Vec<PartPose>> {
     let part =
         || prop_oneof![any::<u64>().prop_map(PartName::Grown), any::<u64>().prop_map(PartName::Stroke)];
     let graft = || prop::option::of((part(), 0.0_f32..=1.0).prop_map(|(onto, at)| Graft { onto, at }));
-    let made = (turn(), turn(), straight(), graft(), shift(), thickness(), any::<bool>());
-    let made = made.prop_map(|(turn, bend, straight, graft, shift, thickness, is_cut)| PartPose {
-        part: PartName::Stroke(0),
-        turn,
-        bend,
-        straight,
-        graft,
-        shift,
-        thickness,
-        is_cut,
-    });
+    let younger = || prop_oneof![Just(0), any::<u16>()];
+    let like = || prop::option::of(part());
+    let made = (turn(), turn(), straight(), graft(), like(), shift(), thickness(), younger(), any::<bool>());
+    let made =
+        made.prop_map(|(turn, bend, straight, graft, like, shift, thickness, younger, is_cut)| PartPose {
+            part: PartName::Stroke(0),
+            turn,
+            bend,
+            straight,
+            graft,
+            like,
+            shift,
+            thickness,
+            younger,
+            is_cut,
+        });
     let poses = prop::collection::btree_map(part(), made, 0..4);
     poses.prop_map(|poses| {
         let pose = |(part, made): (PartName, PartPose)| PartPose {
             part,
             graft: made.graft.filter(|graft| graft.onto != part),
+            like: made.like.filter(|like| *like != part),
             is_cut: made.is_cut && matches!(part, PartName::Grown(_)),
             ..made
         };

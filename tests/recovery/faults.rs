@@ -40,7 +40,7 @@ fn copies_of_a_newer_program_are_kept_and_said_to_be_so() {
         assert!(matches!(error, JournalError::NewerVersion { version, .. } if version == newest), "{error}");
         assert!(error.to_string().contains(&format!("newer Penstemon (version {newest})")), "{error}");
     };
-    newer("snapshot", "\"version\": 1", "\"version\":14", 14.0);
+    newer("snapshot", "\"version\": 1", "\"version\":15", 15.0);
     newer("journal", "journal 3", "journal 9", 9.0);
     assert_eq!(recovery.list().unwrap()[0].strokes(), 2);
 }

@@ -69,7 +69,7 @@ use page::Page;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use trees::{bush, conifer, tree, tree_on_line};
+use trees::{bare, bush, conifer, tree, tree_on_line};
 use tufts::{fronds, grass, lawn, tuft};
 use whole::Looks;
 
@@ -215,6 +215,7 @@ const BENEATH: &[Propose] = &[pot::propose, frame::propose, ground::propose];
 const CONVENTIONS: &[Propose] = &[
     tree::propose,
     tree_on_line::propose,
+    bare::propose,
     conifer::propose,
     bush::propose,
     body::propose,

@@ -6,6 +6,7 @@ use super::updates::{Copied, Versions};
 use crate::app::canvas::Canvas;
 use crate::app::layout::Layout;
 use crate::app::panels::snapshot::Dialog;
+use crate::app::plant_painter::Subject;
 use crate::app::settings::Settings;
 use crate::app::stroke_colours::Pieces;
 use crate::pipeline::Built;
@@ -27,6 +28,12 @@ impl Editor {
     /// The newest plant.
     pub fn built(&self) -> Option<&Arc<Built>> {
         self.live.built()
+    }
+
+    /// What the plant's picture shows; `None` before the first plant.
+    pub(in crate::app) fn subject(&self) -> Option<Subject> {
+        let built = self.built()?;
+        Some(Subject { built: Arc::clone(built), level: self.levels.shown().cloned() })
     }
 
     /// What the pieces of strokes are that were read together, by the names of the strokes.

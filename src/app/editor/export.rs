@@ -14,7 +14,7 @@ use crate::formats::write::{self, ExportError, InstanceForm, Surfaces};
 use crate::input::Sources;
 use crate::model::capsules::capsules;
 use crate::model::{Levels, Model};
-use crate::pipeline::{self, Built, LevelSet, SetupError};
+use crate::pipeline::{self, Built, LevelSet};
 use crate::render::{LightParams, OrbitCamera, Renderer};
 use crate::sketch::Sketch;
 use std::path::{Path, PathBuf};
@@ -146,9 +146,8 @@ fn write_model(order: &Order, shared: &Shared) -> Result<usize, Failure> {
 /// The plant in levels of detail.
 fn write_levels(order: &Order, set: LevelSet, shared: &Shared) -> Result<usize, Failure> {
     let Order { built, choice, .. } = order;
-    let (species, _) = pipeline::species_or_usual(&order.sketch, &order.folder).map_err(setup_failure)?;
-    let params = pipeline::params_of(&order.sketch, &species, &[]).map_err(setup_failure)?;
-    let models = pipeline::levels(&built.plant, &built.model, &params, &set.levels());
+    let models = pipeline::levels_of_drawing((&order.sketch, &order.folder), built, set)
+        .map_err(|error| boxed(BuildError::from(error)))?;
     shared.advance(0.7);
     let mut levels = Levels::of(models.iter().map(|model| chosen_parts(model, choice)));
     if choice.capsules {
@@ -158,10 +157,6 @@ fn write_levels(order: &Order, set: LevelSet, shared: &Shared) -> Result<usize, 
     let (paths, plant) = ([order.path.clone()], (&built.plant, &built.provenance));
     let form = form_of_copies(choice);
     write::export_all(&paths, surfaces, plant, &built_in_texture, form, &order.sources).map_err(boxed)
-}
-
-fn setup_failure(error: impl Into<SetupError>) -> Failure {
-    boxed(BuildError::from(error.into()))
 }
 
 /// Writes a file, unless it is one that the plant comes from.

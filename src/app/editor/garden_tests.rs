@@ -1,7 +1,7 @@
 //! Painting a garden in the view of the plant: pens, mice and fingers, taps, undo, files, the camera.
 
 use super::*;
-use crate::app::editor::test_window::{build, frame, touch, with_sketch};
+use crate::app::editor::test_window::{build, drag, frame, touch, with_sketch};
 use crate::app::garden_brush::GardenBrushKind;
 use crate::app::panels::snapshot::PathPurpose;
 use crate::sketch::{GardenTool, json};
@@ -10,14 +10,6 @@ use egui::{Key, Modifiers};
 /// A place in the window, physical pixels, where the ground is seen so far from the plant, metres.
 fn seen(editor: &Editor, x: f32, z: f32) -> DVec2 {
     editor.plant.seen_at(Vec3::new(x, 0.0, z)).unwrap()
-}
-
-fn drag(editor: &mut Editor, tool: PenTool, from: DVec2, to: DVec2) {
-    touch(editor, (PenPhase::Down, tool), from, 0.5);
-    for k in 1..=10 {
-        touch(editor, (PenPhase::Move, tool), from.lerp(to, f64::from(k) / 10.0), 0.5);
-    }
-    touch(editor, (PenPhase::Up, tool), to, 0.0);
 }
 
 fn opened(home: &tempfile::TempDir) -> (Editor, egui::Context) {

@@ -2,21 +2,14 @@
 
 use crate::app::action::Action;
 use crate::app::editor::Editor;
-use crate::app::editor::test_window::{build, frame, touch, with_sketch};
+use crate::app::editor::test_window::{build, drag, frame, with_sketch};
 use crate::app::pose_drag::PoseDrag;
 use crate::geom::polyline;
 use crate::model::pick::{Element, pick};
-use crate::pen::{PenPhase, PenTool};
+use crate::pen::PenTool;
 use crate::plant::{Branch, Organ, OrganKind, Origin, Shape};
 use crate::sketch::json;
 use glam::{DVec2, Vec3};
-
-fn drag(editor: &mut Editor, from: DVec2, to: DVec2) {
-    let pen = PenTool::Pen;
-    touch(editor, (PenPhase::Down, pen), from, 0.5);
-    [0.5, 1.0].into_iter().for_each(|t| touch(editor, (PenPhase::Move, pen), from.lerp(to, t), 0.5));
-    touch(editor, (PenPhase::Up, pen), to, 0.0);
-}
 
 /// Where branches are seen and hit, each by its place in the plant: at a share of their points.
 fn seen(editor: &Editor, share: f32, is_it: impl Fn(&Branch) -> bool) -> Vec<(usize, DVec2, Vec3)> {
@@ -53,7 +46,7 @@ fn a_grown_twig_is_grafted_onto_the_branch_under_the_pen() {
     let boughs = seen(&editor, 0.6, |branch| branch.level <= 1 && is_grown(branch));
     let other = |index: usize| Some(index) != branches[twig].parent && index != twig;
     let (bough, to, place) = boughs.into_iter().find(|(index, ..)| other(*index)).unwrap();
-    drag(&mut editor, from, to);
+    drag(&mut editor, PenTool::Pen, from, to);
     build(&mut editor);
     let pose = editor.sketch().part_poses[0];
     assert_eq!(editor.built().unwrap().names.of(branches[twig].origin), Some(pose.part));
@@ -102,7 +95,7 @@ fn a_drawn_branch_is_grafted_with_its_leaves_and_drawn_out_straight() {
         let organs = &editor.built().unwrap().plant.organs;
         organs.iter().zip(&before.plant.organs).filter(|(now, then)| now.base() != then.base()).count()
     };
-    drag(&mut editor, from, to);
+    drag(&mut editor, PenTool::Pen, from, to);
     build(&mut editor);
     let grafted = branch(&editor, twig.origin);
     assert!(from_axis(&editor, other, grafted.points[0]) < 1e-4 + branch(&editor, other).radii[0]);
@@ -122,6 +115,45 @@ fn a_drawn_branch_is_grafted_with_its_leaves_and_drawn_out_straight() {
     editor.perform(Action::ResetPose);
     build(&mut editor);
     assert_eq!(editor.built().unwrap().model, before.model, "as it was drawn, to the last bit");
+}
+
+#[test]
+fn a_grown_branch_is_made_younger_and_old_again() {
+    let home = tempfile::tempdir().unwrap();
+    let (mut editor, egui) = with_sketch(&home, "freehand_tree");
+    editor.perform(Action::PoseParts(true));
+    frame(&mut editor, &egui);
+    let before = editor.built().unwrap().clone();
+    let branches = &before.plant.branches;
+    let mut carried = vec![0; branches.len()];
+    for (index, branch) in branches.iter().enumerate().rev() {
+        branch.parent.into_iter().for_each(|parent| carried[parent] += carried[index] + 1);
+    }
+    let grown = (0..branches.len()).filter(|index| matches!(branches[*index].origin, Origin::Grown(_)));
+    let bough = grown.max_by_key(|index| carried[*index]).unwrap();
+    editor.posing.last = before.names.of(branches[bough].origin);
+    let state = editor.pose_state();
+    assert!(state.younger == Some(0) && state.years > 2, "{state:?}");
+    // In the last years of a full crown next to nothing grew.
+    let younger = state.years - 1;
+    editor.perform(Action::MakePartYounger(younger));
+    build(&mut editor);
+    let after = editor.built().unwrap().clone();
+    after.plant.check_invariants().unwrap();
+    assert!(
+        after.plant.branches.len() < branches.len(),
+        "{} of {}",
+        after.plant.branches.len(),
+        branches.len()
+    );
+    assert_eq!(editor.pose_state().younger, Some(younger));
+    let text = json::write(editor.sketch());
+    assert!(text.contains("\"version\": 14") && text.contains(&format!("\"younger\": {younger}")));
+    assert_eq!(&crate::sketch::from_bytes(text.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
+    editor.perform(Action::MakePartYounger(0));
+    build(&mut editor);
+    assert!(editor.sketch().part_poses.is_empty());
+    assert_eq!(editor.built().unwrap().model, before.model, "as it grew, to the last bit");
 }
 
 /// From the base of a branch straight to its end, metres.
@@ -152,7 +184,7 @@ fn a_drawn_leaf_is_grafted_onto_another_branch() {
     let places = seen(&editor, 0.5, |branch| branch.origin.is_drawn());
     let (other, to, _) =
         *places.iter().find(|(index, ..)| Some(*index) != before.plant.organs[leaf].branch).unwrap();
-    drag(&mut editor, from, to);
+    drag(&mut editor, PenTool::Pen, from, to);
     build(&mut editor);
     let origin = before.plant.organs[leaf].origin;
     let after = editor.built().unwrap();

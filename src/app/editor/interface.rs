@@ -40,6 +40,7 @@ impl Editor {
         }
         let mut side = ui.new_child(UiBuilder::new().max_rect(self.layout.plant));
         self.plant.show(&mut side, plant);
+        self.follow_levels(ui.ctx());
         actions.extend(self.picked_in_plant());
         self.hold_divider(ui, divider, room);
         self.paint_overlay(ui);

@@ -18,6 +18,7 @@ use super::pose_tool::PoseTool;
 use super::preferences::Preferences;
 use super::preset_folder::PresetFolder;
 use super::saver::Saver;
+use super::shown_levels::ShownLevels;
 use super::space_tool::SpaceTool;
 use super::updates::Updates;
 use crate::app::canvas::Canvas;
@@ -90,6 +91,7 @@ impl Editor {
             outcomes: Vec::new(),
             plant: PlantView::new(prefs.settings().view),
             live,
+            levels: ShownLevels::default(),
             beside: Beside::default(),
             petals: PetalTool::default(),
             search: PlantSearch::default(),

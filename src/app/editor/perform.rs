@@ -131,6 +131,9 @@ impl Editor {
                 self.plant.state.overlay = overlay;
                 self.live.set_stale();
             }
+            Action::ShowLevels(set) => self.show_levels(set),
+            Action::HoldLevel(level) => self.hold_level(level),
+            Action::SetDistance(metres) => self.plant.set_distance(metres),
             Action::CopyPicture => self.plant.wants_copy = true,
             other => {
                 if self.prefs.obey(other, self.pens.name(), self.background.wake()).is_err() {

@@ -41,19 +41,20 @@ impl Editor {
             Action::PoseBy(drag) => self.posing.drag = drag,
             Action::ResetPose => self.pose_as_step(|pose| PartPose::still(pose.part)),
             Action::SizePart(thickness) => self.pose_chosen(|pose| PartPose { thickness, ..pose }),
-            Action::StraightenPart(straight) => self.straighten_chosen(straight),
+            Action::StraightenPart(straight) => self.pose_branches(|pose| PartPose { straight, ..pose }),
+            Action::MakePartYounger(younger) => self.pose_branches(|pose| PartPose { younger, ..pose }),
             Action::TakeAwayPart => self.take_away_chosen(),
             other => self.perform_on_garden(other),
         }
     }
 
-    /// Draws out the lines of the branches that are chosen.
-    fn straighten_chosen(&mut self, straight: f32) {
+    /// Gives the branches that are chosen, and no organs, another pose.
+    fn pose_branches(&mut self, other: impl Fn(PartPose) -> PartPose) {
         let Some(built) = self.built() else { return };
         let chosen: HashSet<PartName> = self.chosen_parts().collect();
         let names = built.plant.branches.iter().filter_map(|branch| built.names.of(branch.origin));
         let known = &self.sketch().part_poses;
-        let pose = |part: PartName| PartPose { straight, ..pose_of(known, part) };
+        let pose = |part: PartName| other(pose_of(known, part));
         let poses: Vec<PartPose> = names.filter(|name| chosen.contains(name)).map(pose).collect();
         self.pose(poses);
     }
@@ -96,6 +97,8 @@ impl Editor {
         let part = self.posing.last.filter(|_| self.posing.is_on).and_then(|name| self.posable(name));
         let is_organ = part.is_some_and(|part| matches!(part.part, Part::Organs(_)));
         let plant = self.built().map(|built| &built.plant);
+        let branch = chosen.filter(|pose| !pose.is_cut && !is_organ);
+        let ages = self.built().and_then(|built| built.growth);
         PoseState {
             any: plant.is_some_and(|plant| !(plant.branches.is_empty() && plant.organs.is_empty())),
             on: self.posing.is_on,
@@ -103,7 +106,9 @@ impl Editor {
             chosen: self.chosen_parts().count(),
             posed: chosen.is_some_and(|pose| !pose.is_still()),
             size: chosen.filter(|pose| !pose.is_cut).map(|pose| pose.thickness),
-            straight: chosen.filter(|pose| !pose.is_cut && !is_organ).map(|pose| pose.straight),
+            straight: branch.map(|pose| pose.straight),
+            younger: branch.map(|pose| pose.younger),
+            years: ages.map_or(0, |ages| ages.shown.ceil() as u16),
             is_organ,
         }
     }
@@ -164,7 +169,8 @@ impl Editor {
         if let Some(chosen) = self.chosen_parts().find(|chosen| parts.contains(chosen)) {
             return self.hold(chosen, grip);
         }
-        if self.is_organ_meant(hit.element) {
+        let takes_any = self.posing.drag == PoseDrag::Replace && matches!(hit.element, Element::Organ(_));
+        if takes_any || self.is_organ_meant(hit.element) {
             return self.hold(*parts.first()?, grip);
         }
         let names = &built.names;
@@ -193,13 +199,14 @@ impl Editor {
                 hold.share = arc / length;
                 let is_lever = grip.distance(held.base) >= LEAST_LEVER * length;
                 let is_moved = matches!(hold.drag, PoseDrag::Move | PoseDrag::Graft);
-                (is_lever || is_moved).then_some(hold)
+                // Branches are not replaced.
+                (hold.drag != PoseDrag::Replace && (is_lever || is_moved)).then_some(hold)
             }
             Part::Organs(group) => {
                 let of_stem = match hold.drag {
                     PoseDrag::Move => Some(PoseDrag::Turn),
                     PoseDrag::Graft => Some(PoseDrag::Graft),
-                    PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Choose => None,
+                    PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Replace | PoseDrag::Choose => None,
                 };
                 if let Some((drag, stem)) = of_stem.zip(self.stem_of(&group)) {
                     return Some(PartHold { drag, ..self.hold(stem, grip)? });
@@ -226,8 +233,10 @@ impl Editor {
         let Some(hold) = self.posing.hold else { return };
         // Not when it was taken hold of: that may become a tap.
         self.posing.take_up(hold.held.before.part);
-        if hold.drag == PoseDrag::Graft {
-            return self.graft_part(&hold.held.before, to);
+        match hold.drag {
+            PoseDrag::Graft => return self.graft_part(&hold.held.before, to),
+            PoseDrag::Replace => return self.replace_held(&hold.held, to),
+            PoseDrag::Turn | PoseDrag::Bend | PoseDrag::Move | PoseDrag::Choose => {}
         }
         let Some((target, world)) = self.plant.on_plane(hold.grip, to).zip(self.world()) else { return };
         let bends = hold.drag == PoseDrag::Bend;

@@ -1,7 +1,7 @@
 //! Branches are turned and bent in the view of the plant by any pointer, undone, saved and given back.
 
 use super::*;
-use crate::app::editor::test_window::{build, frame, touch, with_sketch};
+use crate::app::editor::test_window::{build, drag, frame, seen_organ, touch, with_sketch};
 use crate::pen::{PenPhase, PenTool};
 use crate::plant::{Branch, Organ, OrganKind, Origin, Shape};
 use crate::sketch::json;
@@ -9,12 +9,6 @@ use crate::sketch::json;
 /// The stem that ends in a flower and stands on the ground.
 fn stem(editor: &Editor) -> Branch {
     editor.built().unwrap().plant.branches.iter().find(|branch| branch.parent.is_none()).unwrap().clone()
-}
-
-fn drag(editor: &mut Editor, tool: PenTool, from: DVec2, to: DVec2) {
-    touch(editor, (PenPhase::Down, tool), from, 0.5);
-    [0.3, 0.6, 1.0].into_iter().for_each(|t| touch(editor, (PenPhase::Move, tool), from.lerp(to, t), 0.5));
-    touch(editor, (PenPhase::Up, tool), to, 0.0);
 }
 
 /// Drags the stem at its middle by so much.
@@ -236,21 +230,6 @@ fn the_ring_turns_the_chosen_branch_about_the_line_of_sight() {
     editor.perform(Action::Undo);
     build(&mut editor);
     assert_eq!(stem(&editor).points, before.points, "one step");
-}
-
-/// The first organ of a kind that is seen, and where.
-fn seen_organ(editor: &Editor, is_it: impl Fn(&Organ) -> bool) -> (usize, DVec2) {
-    let built = editor.built().unwrap();
-    let seen = |(index, organ): (usize, &Organ)| {
-        let Shape::Blade(blade) = &organ.shape else { return None };
-        let blade = built.plant.templates.resolve(blade);
-        let place = blade.base + blade.v * (0.6 * blade.template.length());
-        let at = editor.plant.seen_at(place)?;
-        let hit = pick(&built.model, &built.plant, &editor.plant.ray(editor.plant.place(at))?)?;
-        (hit.element == Element::Organ(index)).then_some((index, at))
-    };
-    let organs = built.plant.organs.iter().enumerate().filter(|(_, organ)| is_it(organ));
-    organs.filter_map(seen).next().expect("one is seen")
 }
 
 fn blade(editor: &Editor, index: usize) -> (Vec3, Vec3) {

@@ -51,6 +51,7 @@ impl Editor {
             reference,
             plant_search: self.search.state(self.branch_over_picture()),
             view: self.plant.state,
+            levels: self.levels_state(),
             pen: self.pens.state(self.prefs.settings(), self.layout.pixels_per_point()),
             status: self.status(),
             found: self.found_parts(),

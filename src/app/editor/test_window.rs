@@ -2,8 +2,10 @@
 //! of the plant.
 
 use super::{Editor, Places};
+use crate::model::pick::{Element, pick};
 use crate::pen::tests::Hand;
 use crate::pen::{PenPhase, PenTool};
+use crate::plant::{Organ, Shape};
 use glam::DVec2;
 use std::time::{Duration, Instant};
 
@@ -49,4 +51,28 @@ pub(super) fn touch(editor: &mut Editor, (phase, tool): (PenPhase, PenTool), at:
     let mut event = Hand { position: at, ..Hand::default() }.event(phase, tool, 0.0);
     event.sample.pressure = pressure;
     editor.plant_pen(&event);
+}
+
+/// A drag of a pointer over the plant, from one place in the window to another.
+pub(super) fn drag(editor: &mut Editor, tool: PenTool, from: DVec2, to: DVec2) {
+    touch(editor, (PenPhase::Down, tool), from, 0.5);
+    for k in 1..=10 {
+        touch(editor, (PenPhase::Move, tool), from.lerp(to, f64::from(k) / 10.0), 0.5);
+    }
+    touch(editor, (PenPhase::Up, tool), to, 0.0);
+}
+
+/// The first blade of a kind that is seen and hit, and where.
+pub(super) fn seen_organ(editor: &Editor, is_it: impl Fn(&Organ) -> bool) -> (usize, DVec2) {
+    let built = editor.built().unwrap();
+    let seen = |(index, organ): (usize, &Organ)| {
+        let Shape::Blade(blade) = &organ.shape else { return None };
+        let blade = built.plant.templates.resolve(blade);
+        let place = blade.base + blade.v * (0.6 * blade.template.length());
+        let at = editor.plant.seen_at(place)?;
+        let hit = pick(&built.model, &built.plant, &editor.plant.ray(editor.plant.place(at))?)?;
+        (hit.element == Element::Organ(index)).then_some((index, at))
+    };
+    let organs = built.plant.organs.iter().enumerate().filter(|(_, organ)| is_it(organ));
+    organs.filter_map(seen).next().expect("one is seen")
 }

@@ -5,7 +5,7 @@
 pub struct Versions {
     /// Strokes, their colours or their preview.
     pub drawing: u64,
-    /// The plant.
+    /// The plant, or how much of it is shown.
     pub plant: u64,
     /// The picture under the drawing.
     pub reference: u64,
@@ -46,6 +46,11 @@ impl Updates {
     pub(super) fn plant_changed(&mut self) {
         self.versions.plant += 1;
         self.versions.drawing += 1;
+    }
+
+    /// The same plant is shown in another level of detail.
+    pub(super) fn level_changed(&mut self) {
+        self.versions.plant += 1;
     }
 
     /// The picture under the drawing may be another one.

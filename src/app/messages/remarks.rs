@@ -117,6 +117,7 @@ fn nothing_to_plant(drawing: Option<&str>, messages: &Messages) -> String {
 fn words_of(reading: Reading) -> Msg {
     match reading {
         Reading::Tree => Msg::ReadAsTree,
+        Reading::BareTree => Msg::ReadAsBareTree,
         Reading::Bush => Msg::ReadAsBush,
         Reading::Cactus => Msg::ReadAsCactus,
         Reading::Mushroom => Msg::ReadAsMushroom,

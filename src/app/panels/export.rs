@@ -100,9 +100,8 @@ fn model(ui: &mut Ui, choice: &mut ExportChoice, has_garden: bool, messages: &Me
     }
 }
 
-/// Levels of detail besides the plant; whether there are any.
-fn levels(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) -> bool {
-    note(ui, messages.get(Msg::ExportLevels));
+/// The sets of levels of detail that one chooses from, and what they are called.
+pub(super) fn level_sets(messages: &Messages) -> [(Option<LevelSet>, &str); 4] {
     let name = |set: Option<LevelSet>| match set {
         None => Msg::ExportLevelsNone,
         Some(LevelSet::Hero) => Msg::ExportLevelsHero,
@@ -110,8 +109,13 @@ fn levels(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) -> bool {
         Some(LevelSet::Mobile) => Msg::ExportLevelsMobile,
     };
     let [hero, game, mobile] = LevelSet::ALL.map(Some);
-    let sets = [None, hero, game, mobile].map(|set| (set, messages.get(name(set))));
-    if let Some(levels) = segments(ui, &sets, choice.levels) {
+    [None, hero, game, mobile].map(|set| (set, messages.get(name(set))))
+}
+
+/// Levels of detail besides the plant; whether there are any.
+fn levels(ui: &mut Ui, choice: &mut ExportChoice, messages: &Messages) -> bool {
+    note(ui, messages.get(Msg::ExportLevels));
+    if let Some(levels) = segments(ui, &level_sets(messages), choice.levels) {
         choice.levels = levels;
     }
     let Some(set) = choice.levels else { return false };

@@ -11,11 +11,12 @@ use crate::sketch::part_poses::THICKNESSES;
 use egui::Ui;
 
 /// What a drag may do: its picture, name and help.
-const DRAGS: [(PoseDrag, Icon, Msg, Msg); 5] = [
+const DRAGS: [(PoseDrag, Icon, Msg, Msg); 6] = [
     (PoseDrag::Turn, Icon::TurnBranch, Msg::PoseTurn, Msg::PoseTurnHint),
     (PoseDrag::Bend, Icon::BendBranch, Msg::PoseBend, Msg::PoseBendHint),
     (PoseDrag::Move, Icon::SlideLeaf, Msg::PoseMove, Msg::PoseMoveHint),
     (PoseDrag::Graft, Icon::GraftBranch, Msg::PoseGraft, Msg::PoseGraftHint),
+    (PoseDrag::Replace, Icon::ReplaceOrgan, Msg::PoseReplace, Msg::PoseReplaceHint),
     (PoseDrag::Choose, Icon::Lasso, Msg::PoseChoose, Msg::PoseChooseHint),
 ];
 
@@ -52,7 +53,7 @@ pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
     }
 }
 
-/// How thick or large the part that was held last is, and how straight a branch.
+/// How thick or large the part that was held last is, how straight a branch, and how many years younger on a plant that grew.
 pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &mut Vec<Action>) {
     if !state.on {
         return;
@@ -69,6 +70,24 @@ pub(super) fn rails(ui: &mut Ui, state: &PoseState, messages: &Messages, out: &m
         out.extend(size.map(Action::SizePart));
         out.extend(straight.map(Action::StraightenPart));
     });
+    if state.years > 0 {
+        out.extend(younger(ui, state, messages));
+    }
+}
+
+/// How many years younger than it is a branch is shown; another number, if one is chosen.
+fn younger(ui: &mut Ui, state: &PoseState, messages: &Messages) -> Option<Action> {
+    let now = state.younger.unwrap_or(0);
+    let text = messages.fill(Msg::GrowthYears, &[("count", &now)]);
+    let scale = Scale { min: 0.0, max: state.years.into(), whole: true };
+    let reset = (now > 0).then(|| messages.get(Msg::PoseReset));
+    let rail = Rail { label: messages.get(Msg::PoseYounger), text: &text, scale, value: now.into(), reset };
+    let room = ui.available_width();
+    let change = ui.add_enabled_ui(state.younger.is_some(), |ui| rail.show(ui, room).1).inner;
+    change.map(|change| match change {
+        RailChange::To(years) => Action::MakePartYounger(years as u16),
+        RailChange::Reset => Action::MakePartYounger(0),
+    })
 }
 
 /// A share of the part in percent, usually `usual`; its new value, if there is one.
@@ -96,6 +115,7 @@ pub(super) fn said(state: &PoseState) -> Msg {
         PoseDrag::Bend => Msg::PoseDragBend,
         PoseDrag::Move => Msg::PoseDragMove,
         PoseDrag::Graft => Msg::PoseDragGraft,
+        PoseDrag::Replace => Msg::PoseDragReplace,
         PoseDrag::Choose => Msg::PoseDragChoose,
     }
 }

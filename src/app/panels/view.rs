@@ -1,9 +1,11 @@
 //! How the plant is shown: light, what it is shown as, camera.
 
+use super::export::level_sets;
 use super::icons::Icon;
 use super::plant_search;
 use super::rail::{Rail, RailChange, Scale, number};
-use super::snapshot::{LightChoice, ReferenceState, Shading, Snapshot};
+use super::snapshot::{LevelsState, LightChoice, ReferenceState, Shading, Snapshot};
+use super::status::grouped;
 use super::widgets::{note, palette, section, segments, switch, text_button_sized};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
@@ -11,6 +13,7 @@ use crate::app::theme::TARGET;
 use crate::growth::habit::Resource;
 use crate::growth::overlay::Wanted;
 use egui::{Color32, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use std::fmt::Display;
 
 /// Colours of the sun: kelvin, and the swatch that stands for it, linear RGB.
 const COLOURS: [(Msg, f32, [f32; 3]); 4] = [
@@ -52,12 +55,51 @@ pub fn show(ui: &mut Ui, snapshot: &Snapshot, messages: &Messages, out: &mut Vec
         });
     }
     section(ui, messages.get(Msg::ViewLight), |ui| light(ui, &snapshot.view.light, messages, out));
+    if !snapshot.blank {
+        section(ui, messages.get(Msg::ViewLevels), |ui| levels(ui, &snapshot.levels, messages, out));
+    }
     if let Some(state) = snapshot.reference {
         section(ui, messages.get(Msg::ReferenceTitle), |ui| {
             reference(ui, state, messages, out);
             plant_search::show(ui, snapshot, messages, out);
         });
     }
+}
+
+/// Levels of detail: which of them are shown, how far away the plant is, each of them with its triangles.
+fn levels(ui: &mut Ui, state: &LevelsState, messages: &Messages, out: &mut Vec<Action>) {
+    let sets = level_sets(messages);
+    out.extend(segments(ui, &sets, state.set).map(Action::ShowLevels));
+    if state.set.is_none() {
+        return;
+    }
+    let width = ui.available_width();
+    if let Some((metres, (nearest, farthest))) = state.distance {
+        let scale = Scale { min: nearest.into(), max: farthest.into(), whole: false };
+        let (label, text) = (messages.get(Msg::ViewDistance), metres_text(metres));
+        let rail = Rail { label, text: &text, scale, value: metres.into(), reset: None };
+        if let Some(RailChange::To(metres)) = rail.show(ui, width).1 {
+            out.push(Action::SetDistance(metres as f32));
+        }
+    }
+    if state.levels.is_empty() {
+        return note(ui, messages.get(Msg::ViewLevelsComing));
+    }
+    for (number, level) in state.levels.iter().enumerate() {
+        let (count, up_to) = (grouped(level.triangles), metres_text(level.up_to));
+        let of_level = [("number", &number as &dyn Display), ("count", &count), ("distance", &up_to)];
+        let (text, is_shown) = (messages.fill(Msg::ViewLevel, &of_level), number == state.shown);
+        if text_button_sized(ui, None, &text, is_shown, Some(width)).clicked() {
+            out.push(Action::HoldLevel((!(is_shown && state.is_held)).then_some(number)));
+        }
+    }
+    note(ui, messages.get(if state.is_held { Msg::ViewLevelHeld } else { Msg::ViewLevelHint }));
+}
+
+/// A distance as people read it.
+fn metres_text(metres: f32) -> String {
+    let digits = if metres < 10.0 { 2 } else { 0 };
+    format!("{metres:.digits$} m")
 }
 
 /// What is seen of growth, and what its colours mean.

@@ -2,23 +2,18 @@
 //!
 //! A node for each level, called like `oak_LOD1`, carries its plants. The scene has that of the finest alone, which names the
 //! others; a viewer that does not know the extension shows the finest. Which share of the screen's height the plant has to fill for
-//! each level stands in the node's extras: it falls with the square root of the triangles, so that these are about equally dense on
-//! the screen, and below the last nothing is shown.
+//! each level stands in the node's extras (`model::screen_shares`); below the last nothing is shown.
 
 use super::Scene;
 use super::gltf_tree::node;
 use crate::formats::gltf_extensions::LEVELS;
-use crate::model::Part;
+use crate::model::{Part, screen_shares};
 use glam::Vec3;
 use gltf_json as json;
 use json::Index;
 use json::extensions::scene::Node as NodeExtensions;
 use serde_json::json;
 use serde_json::value::to_raw_value;
-
-/// The share of the screen below which the second level is shown, and the last of all.
-const SECOND: f32 = 0.5;
-const NOTHING: f32 = 0.004;
 
 /// Puts the plants of a document, whose nodes are its first, below nodes for their levels; does nothing without levels.
 ///
@@ -45,7 +40,7 @@ pub(super) fn push(root: &mut json::Root, scene: &Scene<'_>) -> serde_json::Resu
     let extension = (LEVELS.to_owned(), json!({ "ids": others }));
     finest.extensions = Some(NodeExtensions { others: [extension].into_iter().collect() });
     finest.extras =
-        Some(to_raw_value(&json!({ "MSFT_screencoverage": coverages(&triangles(scene, count)) }))?);
+        Some(to_raw_value(&json!({ "MSFT_screencoverage": screen_shares(&triangles(scene, count)) }))?);
     root.extensions_used.push(LEVELS.to_owned());
     root.scenes.iter_mut().for_each(|scene| scene.nodes = vec![nodes[0]]);
     Ok(())
@@ -63,23 +58,4 @@ fn triangles(scene: &Scene<'_>, levels: usize) -> Vec<usize> {
     };
     parts.for_each(&mut count);
     triangles
-}
-
-/// For each level the share of the screen down to which it is shown.
-fn coverages(triangles: &[usize]) -> Vec<f32> {
-    let of_second = triangles.get(1).copied().unwrap_or(1).max(1) as f32;
-    let share = |of: &usize| (SECOND * (*of as f32 / of_second).sqrt()).max(NOTHING);
-    triangles.iter().skip(1).map(share).chain([NOTHING]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn coarser_levels_are_for_smaller_pictures() {
-        let found = coverages(&[400_000, 40_000, 10_000, 8]);
-        assert!((found[0] - 0.5).abs() < 1e-6 && (found[1] - 0.25).abs() < 1e-6, "{found:?}");
-        assert!(found.is_sorted_by(|a, b| a > b) && found[3] == NOTHING, "{found:?}");
-    }
 }

@@ -85,8 +85,7 @@ pub(crate) fn chains(tree: &Tree, lives: &[bool], at: &[Vec3], diameters: &[f32]
     out
 }
 
-/// Whether each node that has been born by the end of a year lives then.
+/// Whether each node up to the last that has been born by the end of a year lives then.
 pub(crate) fn living(tree: &Tree, year: u16) -> Vec<bool> {
-    let born = tree.nodes.born.partition_point(|born| *born <= year);
-    tree.nodes.died[..born].iter().map(|died| *died > year).collect()
+    (0..tree.born_by(year)).map(|node| tree.lives(node, year)).collect()
 }

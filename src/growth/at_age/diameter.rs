@@ -14,10 +14,10 @@ pub(crate) fn diameters(tree: &Tree, habit: &Habit, age: f32) -> Vec<f32> {
     let year = age.ceil() as u16;
     let passed = 1.0 - (f32::from(year) - age);
     let nodes = &tree.nodes;
-    let born = nodes.born.partition_point(|b| *b <= year);
+    let born = tree.born_by(year);
     // dⁿ in units of the thinnest wood's.
     let mut pipes = vec![0.0f32; tree.len()];
-    for i in (0..born).rev() {
+    for i in (0..born).rev().filter(|i| nodes.born[*i] <= year) {
         let grown = if nodes.born[i] == year && year > 0 { passed } else { 1.0 };
         let carried = pipes[i].max(grown);
         pipes[i] = carried + habit.pipe_leaf * grown;

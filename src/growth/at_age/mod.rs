@@ -16,5 +16,7 @@ mod stem_base;
 pub(super) mod to_plant;
 pub(super) mod wood_at_age;
 pub(super) mod wood_names;
+pub(super) mod younger;
 
 pub use to_plant::{PlantAtAge, plant_at};
+pub use younger::Younger;

@@ -26,7 +26,7 @@ pub(crate) fn add_new_growth(
 ) {
     let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
     let age = f32::from(simulation.age());
-    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, age);
+    let WoodAtAge { chains, at, diameters, grown } = wood_at_age(simulation, tree, age);
     let first = tree.drawn.len();
     let names = wood_names::names(tree, names);
     let mut place_of: Vec<Option<usize>> = vec![None; chains.chains.len()];

@@ -9,6 +9,7 @@ use super::rounding::rounded;
 use super::stem_base::Stems;
 use super::wood_at_age::{WoodAtAge, wood_at_age};
 use crate::growth::simulation::Simulation;
+use crate::growth::tree::Tree;
 use crate::plant::{Branch, FlowerBuds, Origin, Plant, Role, WoodPart};
 use glam::Vec3;
 
@@ -30,15 +31,20 @@ pub struct PlantAtAge {
 
 /// The plant at an age, at most the simulation's own. Ages between years are years that run.
 pub fn plant_at(simulation: &Simulation, age: f32) -> PlantAtAge {
-    with_wood(simulation, age, None).0
+    with_wood(simulation, simulation.tree(), age, None).0
 }
 
 /// The same with the wood that became its branches, which are its chains, in their order; leaves and buds are known by the names of
-/// their nodes, where these have `names`.
-pub(crate) fn with_wood(simulation: &Simulation, age: f32, names: Option<&[u64]>) -> (PlantAtAge, WoodAtAge) {
-    let (tree, habit, limits) = (simulation.tree(), simulation.habit(), simulation.limits());
+/// their nodes, where these have `names`. `tree` is the simulation's, or with branches that are [younger](super::younger).
+pub(crate) fn with_wood(
+    simulation: &Simulation,
+    tree: &Tree,
+    age: f32,
+    names: Option<&[u64]>,
+) -> (PlantAtAge, WoodAtAge) {
+    let (habit, limits) = (simulation.habit(), simulation.limits());
     let age = if age.is_finite() { age.clamp(0.0, f32::from(simulation.age())) } else { 0.0 };
-    let shown = wood_at_age(simulation, age);
+    let shown = wood_at_age(simulation, tree, age);
     let WoodAtAge { chains, at, diameters, grown } = &shown;
     let stems = Stems::of(tree, chains, diameters);
     let mut branches: Vec<Branch> = Vec::with_capacity(chains.chains.len());

@@ -104,7 +104,8 @@ fn what_is_shown_of_a_plant_stays_in_its_volume() {
         let mut simulation = Simulation::in_envelope(&habit, volume.clone(), 5, Limits::default());
         simulation.grow_to(16, &|| false);
         simulation.check_envelope().unwrap();
-        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) = with_wood(&simulation, 16.0, None);
+        let (PlantAtAge { plant, .. }, WoodAtAge { chains, .. }) =
+            with_wood(&simulation, simulation.tree(), 16.0, None);
         let at = &simulation.tree().nodes.at;
         let internode = simulation.habit().internode;
         let (mut shown, mut out, mut farthest) = (0, 0, 0.0f32);

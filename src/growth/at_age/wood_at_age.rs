@@ -16,7 +16,7 @@ use super::diameter;
 use super::pruning;
 use super::stem_base;
 use crate::growth::simulation::Simulation;
-use crate::growth::tree::NONE;
+use crate::growth::tree::{NONE, Tree};
 use glam::Vec3;
 
 /// Least share of its length that wood of this year is shown with.
@@ -35,15 +35,16 @@ pub(crate) struct WoodAtAge {
     pub grown: Vec<f32>,
 }
 
-/// The wood of a plant at an age in years.
-pub(crate) fn wood_at_age(simulation: &Simulation, age: f32) -> WoodAtAge {
-    let (tree, habit) = (simulation.tree(), simulation.habit());
+/// The wood of a plant at an age in years; `tree` is the simulation's, or with branches that are [younger](super::younger).
+pub(crate) fn wood_at_age(simulation: &Simulation, tree: &Tree, age: f32) -> WoodAtAge {
+    let habit = simulation.habit();
     let year = age.ceil() as u16;
     let passed = 1.0 - (f32::from(year) - age);
     if passed >= 1.0 || year == 0 {
-        return at_the_end(simulation, year);
+        return at_the_end(simulation, tree, year);
     }
-    let (start, end) = rayon::join(|| at_the_end(simulation, year - 1), || at_the_end(simulation, year));
+    let end_of = |year| at_the_end(simulation, tree, year);
+    let (start, end) = rayon::join(|| end_of(year - 1), || end_of(year));
     let mut now = WoodAtAge {
         chains: end.chains.clone(),
         at: end.at.clone(),
@@ -78,8 +79,8 @@ pub(crate) fn wood_at_age(simulation: &Simulation, age: f32) -> WoodAtAge {
 }
 
 /// The wood at the end of a year.
-fn at_the_end(simulation: &Simulation, year: u16) -> WoodAtAge {
-    let (tree, habit) = (simulation.tree(), simulation.habit());
+fn at_the_end(simulation: &Simulation, tree: &Tree, year: u16) -> WoodAtAge {
+    let habit = simulation.habit();
     let passes = |from: Vec3, to: Vec3| simulation.obstacles().is_some_and(|beside| beside.crosses(from, to));
     let diameters = diameter::diameters(tree, habit, f32::from(year));
     let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());

@@ -7,7 +7,7 @@
 use super::drawing::Grown;
 use crate::growth::at_age::chains::Chains;
 use crate::growth::at_age::wood_at_age::WoodAtAge;
-use crate::growth::at_age::{PlantAtAge, to_plant, wood_names};
+use crate::growth::at_age::{PlantAtAge, Younger, to_plant, wood_names};
 use crate::growth::tree::NONE;
 use crate::plant::{Branch, Continued, Plant, Provenance};
 use glam::Vec3;
@@ -54,13 +54,16 @@ pub fn merged(
     (drawn, provenance): (Plant, &Provenance),
     grows: &[bool],
     grown: &Grown<'_>,
-    posed: &BTreeSet<u64>,
+    (posed, younger): (&BTreeSet<u64>, &Younger),
 ) -> (PlantAtAge, Vec<Continued>) {
     let tree = grown.simulation.tree();
     let names = wood_names::names(tree, &wood_names::names_of_wood(grown.wood, provenance));
+    let strokes: Vec<Option<u64>> =
+        grown.wood.iter().map(|branch| provenance.stroke(branch.origin)).collect();
+    let tree = younger.tree(tree, &names, &strokes, grown.age.ceil() as u16);
     let (PlantAtAge { mut plant, buds }, WoodAtAge { chains, at, .. }) =
-        to_plant::with_wood(grown.simulation, grown.age, Some(&names));
-    let of_tree = (tree, &chains, &*at);
+        to_plant::with_wood(grown.simulation, &tree, grown.age, Some(&names));
+    let of_tree = (&*tree, &chains, &*at);
     let continued = wood_names::name_branches(&mut plant.branches, of_tree, &names, posed);
     let on = GrownParents { grown, chains: &chains, number: numbers(grows), drawn: &drawn.branches };
     // Where a branch that stays now is, and how far it went in depth.

@@ -1,10 +1,12 @@
-//! The `wood_poses` of a drawing: branches and organs that the artist turned, moved, grafted, made larger or took away, one on
-//! each line.
+//! The `wood_poses` of a drawing: branches and organs that the artist turned, moved, grafted, made larger, made younger or took away,
+//! one on each line.
 //!
 //! ```json
 //! {"stroke": 4, "turn": [0, 0, 0.2588190, 0.9659258], "bend": [0, 0, 0, 1]}
 //! {"grown": "8c1f0a52e9d40b77", "thickness": 1.5, "shift": [0, 40, 0]}
 //! {"stroke": 5, "straight": 0.8, "graft": {"stroke": 2, "at": 0.5}}
+//! {"grown": "51d09c7be2f3a866", "younger": 3}
+//! {"stroke": 7, "like": {"grown": "b1c4e07d5f2296a3"}}
 //! {"grown": "03bb2e6f91d8a4c0", "cut": true}
 //! ```
 //!
@@ -42,12 +44,20 @@ pub(super) fn push(out: &mut String, pose: &PartPose) {
         push_number(out, at);
         out.push('}');
     }
+    if let Some(like) = pose.like {
+        out.push_str(", \"like\": ");
+        push_name(out, like);
+        out.push('}');
+    }
     if pose.shift != Vec3::ZERO {
         push_numbers(out, "shift", &pose.shift.to_array());
     }
     if pose.thickness != 1.0 {
         out.push_str(", \"thickness\": ");
         push_number(out, pose.thickness);
+    }
+    if pose.younger != 0 {
+        out.push_str(&format!(", \"younger\": {}", pose.younger));
     }
     out.push_str(if pose.is_cut { ", \"cut\": true}" } else { "}" });
 }
@@ -123,8 +133,11 @@ struct PoseText {
     #[serde(default)]
     straight: f32,
     graft: Option<GraftText>,
+    like: Option<LikeText>,
     shift: Option<[f32; 3]>,
     thickness: Option<f32>,
+    #[serde(default)]
+    younger: u16,
     #[serde(default)]
     cut: bool,
 }
@@ -135,10 +148,12 @@ impl PoseText {
         let part = name_of(self.stroke, self.grown)?
             .ok_or("a pose has one of `stroke` and `grown`, which name its part")?;
         let graft = self.graft.map(GraftText::graft).transpose()?;
+        let like = self.like.map(LikeText::name).transpose()?;
         let turn_of = |numbers: Option<[f32; 4]>| numbers.map_or(Quat::IDENTITY, Quat::from_array);
         let (turn, bend, thickness) = (turn_of(self.turn), turn_of(self.bend), self.thickness.unwrap_or(1.0));
         let shift = self.shift.map_or(Vec3::ZERO, Vec3::from_array);
-        Ok(PartPose { part, turn, bend, straight: self.straight, graft, shift, thickness, is_cut: self.cut })
+        let PoseText { straight, younger, cut: is_cut, .. } = self;
+        Ok(PartPose { part, turn, bend, straight, graft, like, shift, thickness, younger, is_cut })
     }
 }
 
@@ -156,6 +171,21 @@ impl GraftText {
         let onto = name_of(self.stroke, self.grown)?
             .ok_or("a `graft` has one of `stroke` and `grown`, which name its branch")?;
         Ok(Graft { onto, at: self.at })
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LikeText {
+    stroke: Option<StrokeId>,
+    grown: Option<String>,
+}
+
+impl LikeText {
+    /// The name of the part, or what is wrong with it.
+    fn name(self) -> Result<PartName, String> {
+        name_of(self.stroke, self.grown)?
+            .ok_or_else(|| "a `like` has one of `stroke` and `grown`, which name its part".to_owned())
     }
 }
 

@@ -6,7 +6,8 @@
 //! that touch, which may be halves of a crown, and other lines at the same height. Petals are as drawn where they can be seen, along the rays
 //! where a head is made of rays, and else fill the head as those of a [`rose`](super::rose) do.
 //!
-//! In a pot, where leaves stand on stems as well, one head at least must show petals or windings.
+//! In a pot, where leaves stand on stems as well, one head at least must show petals or windings. A head of two outlines, one on each side
+//! of its stem, is the leaves of a sprout.
 //!
 //! Limits: heads on two lines, which are trunks; flowers one above the other; row upon row.
 
@@ -52,6 +53,8 @@ const CROWDED: f32 = 1.5;
 const TOUCHING: f32 = 1.5;
 /// Stretch and turn of the tip of a blade.
 const TIP: (f32, f32) = (0.1, 1.6);
+/// Of the two leaves of a sprout: how near to the stem's top they begin, in sizes of the leaf, and least size of one, as a share of the other's.
+const SPROUT: (f32, f32) = (0.35, 0.45);
 
 /// Outlines of petals.
 type Petals = Vec<Vec<Vec2>>;
@@ -110,6 +113,7 @@ fn ground<'a>(page: &'a Page, stems: &[Flower]) -> Vec<&'a Line> {
 /// Those of all stems of a page that are of the form of a flower, and how many other stems stand on the ground beside them.
 fn flowers<'a>(page: &Page, all: Vec<Flower<'a>>, ground: &[&Line]) -> (Vec<Flower<'a>>, usize) {
     let on_ground = |flowers: &[Flower]| flowers.iter().filter(|flower| flower.is_on(ground)).count();
+    let all: Vec<Flower> = all.into_iter().filter(|flower| !flower.is_sprout(page)).collect();
     let stems = on_ground(&all);
     let (bare, mut flowers): (Vec<_>, Vec<_>) = all.into_iter().partition(Flower::is_bare);
     flowers.retain(|flower| {
@@ -137,6 +141,21 @@ impl Flower<'_> {
         let is_near = |p: &Vec2| (p.x - foot.x).abs() < near && (p.y - foot.y).abs() < near;
         let is_in = |line: &Line| foot.cmpgt(line.bounds.0).all() && foot.cmplt(line.bounds.1).all();
         ground.iter().any(|line| is_in(line) || line.points.iter().any(is_near))
+    }
+
+    /// Whether its head is two leaves at the end of the stem, one to each side.
+    fn is_sprout(&self, page: &Page) -> bool {
+        let top = self.stem.top();
+        let leaves: Vec<&Line> = self.lines(page).collect();
+        let [a, b] = &leaves[..] else { return false };
+        let size = |line: &Line| line.size().length();
+        let begins_at_top = |line: &Line| {
+            polyline::nearest(&line.points, top).is_some_and(|(gap, _)| gap < SPROUT.0 * size(line))
+        };
+        let aside = |line: &Line| line.middle().x - top.x;
+        let is_even = size(a).min(size(b)) > SPROUT.1 * size(a).max(size(b));
+        let is_leaf = |line: &Line| !is_wound(line) && !line.is_scribble() && begins_at_top(line);
+        is_even && aside(a) * aside(b) < 0.0 && is_leaf(a) && is_leaf(b)
     }
 
     /// Whether its head is the outline of a leaf: one that has a tip.

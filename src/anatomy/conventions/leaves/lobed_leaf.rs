@@ -2,9 +2,11 @@
 //!
 //! What tells it from a star of petals, a fir and the arms of a cactus: its lobes end in sharp tips, they stand about the end of
 //! the stalk on both sides and opposite of it, and none points toward the stalk. What tells it from a crown of fronds: the stalk is no
-//! longer than the leaf. Lines inside are veins.
+//! longer than the leaf. Lines inside are veins. Lobes that are round, as an oak's, are those of a leaf where the stalk runs on through it
+//! nearly to its end as its midrib, has notches on both sides, and the leaf is longer than wide: no stem goes on so far into a flower, and
+//! no trunk into a crown.
 //!
-//! Limits: lobes that are round, as an oak's; a leaf without a stalk.
+//! Limits: round lobes without a midrib; a leaf without a stalk.
 
 use crate::anatomy::conventions::page::{Line, Page, even, notches, tips};
 use crate::anatomy::conventions::shapes::stem_tail;
@@ -42,6 +44,9 @@ const STRAIGHT: f32 = 0.8;
 /// Log-odds of such a leaf, and more for each lobe, up to so many.
 const SCORE: f32 = 4.4;
 const EACH: (f32, usize) = (0.2, 5);
+/// Of round lobes: fewest notches, and of each side of the midrib; least length of the midrib, as a share of the leaf's, and least length of the
+/// leaf over its width; log-odds.
+const ROUND: (usize, usize, f32, f32, f32) = (4, 2, 0.68, 1.15, 6.0);
 /// Most lines that are looked at near one outline.
 const MOST_LINES: usize = 32;
 
@@ -65,8 +70,9 @@ struct Blade<'a> {
     stalk: Option<Vec<Vec2>>,
     /// Even points of the outline, the first not repeated.
     ring: Vec<Vec2>,
-    /// The tips of its lobes.
+    /// The tips of its lobes, and the notches between them.
     tips: Vec<Vec2>,
+    notches: Vec<Vec2>,
 }
 
 impl<'a> Blade<'a> {
@@ -94,8 +100,35 @@ impl<'a> Blade<'a> {
         let mut tips = tips(&ring, TIP);
         let farthest = tips.iter().map(|tip| tip.distance(middle)).fold(0.0, f32::max);
         tips.retain(|tip| tip.distance(middle) > FAR * farthest);
-        let is_lobed = (LOBES.0..=LOBES.1).contains(&tips.len()) && notches(&ring).len() >= NOTCHES;
-        is_lobed.then_some(Self { number, line, stalk, ring, tips })
+        let notches = notches(&ring);
+        let blade = Self { number, line, stalk, ring, tips, notches };
+        (blade.has_pointed_lobes() || blade.notches.len() >= ROUND.0).then_some(blade)
+    }
+
+    fn has_pointed_lobes(&self) -> bool {
+        (LOBES.0..=LOBES.1).contains(&self.tips.len()) && self.notches.len() >= NOTCHES
+    }
+
+    /// Whether a midrib from the end of the stalk, along one of these lines, makes a leaf of round lobes.
+    fn has_midrib<'l>(&self, (base, foot): (Vec2, Vec2), mut lines: impl Iterator<Item = &'l Line>) -> bool {
+        let Some(way) = (base - foot).try_normalize() else { return false };
+        let along = |p: Vec2| (p - base).dot(way);
+        let across = |p: Vec2| way.perp_dot(p - base);
+        let most = |of: &dyn Fn(Vec2) -> f32| self.ring.iter().map(|p| of(*p)).fold(0.0, f32::max);
+        let length = most(&along);
+        let width = most(&across) + most(&|p| -across(p));
+        let is_midrib = |line: &Line| {
+            let (first, last) = line.ends();
+            let end = along(first).max(along(last));
+            let runs_along = first.distance(last) > STRAIGHT * line.length
+                && (last - first).normalize_or_zero().dot(way).abs() > STRAIGHT;
+            runs_along && along(first).min(along(last)) < 0.2 * length && end > ROUND.2 * length
+        };
+        let of_side = |sense: f32| self.notches.iter().filter(|notch| sense * across(**notch) > 0.0).count();
+        length > ROUND.3 * width
+            && self.notches.len() >= ROUND.0
+            && of_side(1.0).min(of_side(-1.0)) >= ROUND.1
+            && lines.any(is_midrib)
     }
 
     /// The leaf with its stalk, if one of the lines that are near, or the rest of its own, is that and no other speaks against it.
@@ -113,7 +146,10 @@ impl<'a> Blade<'a> {
             _ => return None,
         };
         let (base, foot) = (stalk[stalk.len() - 1], stalk[0]);
-        if others.len() > MOST_LINES || !self.stands_about(base, foot) {
+        let ribs = inside.iter().copied().chain(of_line).map(|i| &page.lines[i]);
+        let is_round = self.has_midrib((base, foot), ribs);
+        let is_pointed = self.has_pointed_lobes() && self.stands_about(base, foot);
+        if others.len() > MOST_LINES || !(is_pointed || is_round) {
             return None;
         }
         let from = (0..POINTS).min_by(|a, b| {
@@ -125,7 +161,8 @@ impl<'a> Blade<'a> {
         let parts = vec![Made::new(Tool::Leaf, ring), Made::new(Tool::Branch, stalk)];
         let mut uses: Vec<usize> = inside.into_iter().chain(of_line).chain([self.number]).collect();
         uses.sort_unstable();
-        let score = SCORE + EACH.0 * self.tips.len().min(EACH.1) as f32;
+        let of_lobes = SCORE + EACH.0 * self.tips.len().min(EACH.1) as f32;
+        let score = if is_round { ROUND.4 } else { of_lobes };
         let score = score * page.weight(self.line.size().length());
         Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Leaf, habit: None })
     }
@@ -197,6 +234,29 @@ mod tests {
         assert_eq!((leaf.tool, stalk.tool), (Tool::Leaf, Tool::Branch));
         let joint = stalk.points[stalk.points.len() - 1].position;
         assert!(leaf.points[0].position.distance(joint) < 15.0);
+    }
+
+    #[test]
+    fn round_lobes_along_a_midrib_are_a_leaf_and_without_one_are_not() {
+        // Up one side of an oak's leaf and down the other.
+        let side = |sign: f32| {
+            let place = move |k: usize| {
+                let t = k as f32 / 60.0;
+                let width =
+                    30.0 * (std::f32::consts::PI * t).sin() + 12.0 * (6.0 * std::f32::consts::PI * t).sin();
+                Vec2::new(sign * width.max(0.0), -20.0 - 150.0 * t)
+            };
+            (0..=60).map(place).collect::<Vec<_>>()
+        };
+        let mut oak = side(1.0);
+        oak.extend(side(-1.0).into_iter().rev());
+        let to = |y: f32| line(&[(0.0, 10.0), (0.0, y)]);
+        let found = read(&[oak.clone(), to(-150.0)]);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].reading, &found[0].uses[..]), (Reading::Leaf, &[0, 1][..]));
+        assert!(read(&[oak.clone(), to(-90.0)]).is_empty(), "the stem of a flower ends in its middle");
+        let wide = oak.iter().map(|p| Vec2::new(2.5 * p.x, p.y)).collect();
+        assert!(read(&[wide, to(-150.0)]).is_empty(), "a crown");
     }
 
     #[test]

@@ -18,7 +18,7 @@ use glam::Vec2;
 const SMALLEST: f32 = 0.2;
 /// Narrowest bush, as a share of its height.
 const NARROWEST: f32 = 0.6;
-/// Fewest notches of an outline that is closed, and of one that is open below, as no blade is.
+/// Fewest notches of an outline that is closed, and of one that is open or level below, as no blade is; one less where berries are in it.
 const NOTCHES: (usize, usize) = (3, 2);
 /// Least share of the whole that lines scribble over.
 const SCRIBBLE: f32 = 0.35;
@@ -26,6 +26,10 @@ const SCRIBBLE: f32 = 0.35;
 const SOLID: f32 = 0.62;
 /// Height above its lowest point at which a bush is measured, and least width there, as shares of its height and width.
 const FOOT: (f32, f32) = (0.15, 0.4);
+/// Height of the lowest part of an outline that ends in a level line, and least width there, as shares of its height and width.
+const LEVEL: (f32, f32) = (0.06, 0.75);
+/// Largest berry, as a share of the bush's diagonal, and fewest of them.
+const BERRY: (f32, usize) = (0.15, 2);
 /// Farthest that a line may leave the area, as a share of its height.
 const OUTSIDE: f32 = 0.15;
 /// How wide gaps of the outline are closed, in cells of the silhouette, one after the other.
@@ -69,13 +73,17 @@ fn bush(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let hull_area = simple_loop::area(&hull);
     let scribbled: f32 = lines.iter().filter(|line| line.is_scribble()).map(|line| line.hull_area).sum();
     let is_scribble = scribbled > SCRIBBLE * hull_area;
-    let fewest = if closing.is_empty() { NOTCHES.0 } else { NOTCHES.1 };
     // Where gaps are closed, so are the notches between flat lobes; those of an arch can be counted on its line.
     let has_lobes = lines.iter().any(|line| is_arch(line) && lobes_of(line) > NOTCHES.1);
     let crown = |bridge: &i32| {
         let silhouette = Silhouette::new(drawn().chain(closing.iter().copied()), *bridge);
         let outline = smooth_contour(&silhouette.contour(), POINTS, 1);
         let is_solid = simple_loop::area(&outline) > SOLID * hull_area;
+        let fewest = match is_level(&outline) {
+            true if has_berries(page, group, &outline) => NOTCHES.1 - 1,
+            false if closing.is_empty() => NOTCHES.0,
+            _ => NOTCHES.1,
+        };
         let is_outline = (has_lobes || notches(&outline).len() >= fewest)
             && evidence::is_drawn_by_few(&outline, drawn(), &closing, &silhouette)
             && !evidence::has_flower_centre(&lines, &outline);
@@ -111,6 +119,24 @@ fn is_arch(line: &Line) -> bool {
 fn lobes_of(arch: &Line) -> usize {
     let is_high = |place: &Vec2| place.y < arch.bounds.1.y - 0.35 * arch.size().y;
     1 + notches(&arch.points).into_iter().filter(is_high).count()
+}
+
+/// Whether an area ends below in one level line, as no blade does.
+fn is_level(outline: &[Vec2]) -> bool {
+    let (low, high) = polyline::bounds(outline.iter().copied());
+    let (left, right) = evidence::foot(outline, LEVEL.0);
+    right.x - left.x > LEVEL.1 * (high.x - low.x)
+}
+
+/// Whether there are several small round outlines in an area.
+fn has_berries(page: &Page, group: &[usize], outline: &[Vec2]) -> bool {
+    let (low, high) = polyline::bounds(outline.iter().copied());
+    let is_berry = |i: &usize| {
+        let line = &page.lines[*i];
+        line.is_closed_and_solid() && line.size().max_element() < BERRY.0 * low.distance(high)
+    };
+    let inside = page.with_what_is_inside(group, outline);
+    inside.iter().filter(|i| !group.contains(i)).filter(|i| is_berry(i)).count() >= BERRY.1
 }
 
 /// Whether an area stands on a broad foot.

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `tree_on_line` | a crown on a trunk that is a single line |
+//! | `bare` | a bare tree: boughs and twigs of single lines |
 //! | `conifer` | a fir: what narrows to a point in steps |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
 //! | `trunk` | the narrow stretch with two sides below a crown |
@@ -15,6 +16,7 @@
 //! | `half_fir` | firs of which one side is hidden or was left out |
 //! | `evidence` | what speaks for and against outlines of crowns |
 
+pub(crate) mod bare;
 pub(crate) mod bush;
 pub(crate) mod conifer;
 pub(crate) mod evidence;

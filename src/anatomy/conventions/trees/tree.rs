@@ -109,7 +109,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let size = rows.width_and_height();
     let is_of_form = size.y > LOWEST * page.diagonal && evidence::has_outline(&lines, size);
     let has_leaves = || {
-        evidence::has_blades(&lines, size)
+        evidence::has_blades(&evidence::without_balls(&lines), size)
             || evidence::has_leaves_at_foot(&lines, page::bounds(lines.iter().copied()))
     };
     if !is_of_form || has_leaves() {

@@ -5,6 +5,7 @@
 mod beside;
 mod brush;
 mod garden;
+mod levels;
 mod params;
 mod pen;
 mod petals;
@@ -16,6 +17,7 @@ mod status;
 pub use beside::{AgeState, BesideState, PlantState};
 pub use brush::BrushState;
 pub use garden::GardenState;
+pub use levels::{LevelState, LevelsState};
 pub use params::ParamValues;
 pub use pen::{PenLive, PenState};
 pub use petals::{PetalPoint, PetalState};
@@ -107,6 +109,8 @@ pub struct Snapshot {
     pub plant_search: PlantSearchState,
     /// How the plant is shown.
     pub view: ViewState,
+    /// The plant's levels of detail.
+    pub levels: LevelsState,
     /// The pen last used.
     pub pen: PenState,
     /// What the status line says.

@@ -19,6 +19,10 @@ pub struct PoseState {
     pub size: Option<f32>,
     /// How far its line is drawn out straight; none where that is not a branch.
     pub straight: Option<f32>,
+    /// How many years younger it is shown than it is; none where that is not a branch.
+    pub younger: Option<u16>,
+    /// How many years the plant grew.
+    pub years: u16,
     /// Whether it is a leaf, a flower or another organ, and no branch.
     pub is_organ: bool,
 }

@@ -1,0 +1,179 @@
+//! A bare tree, as in winter: a trunk of two sides, or of one line, with boughs and twigs of single lines.
+//!
+//! What tells it from a palm, a cactus and grass: lines are nearly straight, do not enclose anything, most of them rise, none begins near the
+//! ground, and some begin on others, away from the trunk's top. A line with one corner that is not above its ends is a fork: two twigs from there. Each
+//! line becomes a branch.
+//!
+//! Limits: a single line with few twigs is a stem and left to the classifier; boughs that hang, as a fir's, are none.
+
+use super::trunk_sides::TrunkSides;
+use crate::anatomy::conventions::page::Page;
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
+use glam::Vec2;
+use std::collections::BTreeSet;
+
+/// Fewest twigs on a trunk of two sides and on one of a line, and fewest that begin away from the trunk's top.
+const FEWEST: (usize, usize, usize) = (3, 6, 2);
+/// Least height of a twig above the trunk's foot, as a share of the tree's height.
+const CLEAR: f32 = 0.15;
+/// How far from the trunk's top that is, as a share of the farthest twig's reach.
+const AWAY: f32 = 0.22;
+/// Least chord of a twig over its length, and share of all that is drawn above the trunk that twigs are.
+const STRAIGHT: f32 = 0.86;
+const EXPLAINED: f32 = 0.9;
+/// Share of the twigs' length that rises, and least rise of a twig over its chord.
+const RISING: (f32, f32) = (0.75, 0.1);
+/// Least length of the lines that conventions look at, as a share of all: among parts whose tool the artist chose, lines are branches.
+const AUTO: f32 = 0.5;
+/// Most lines that are looked at.
+const MOST: usize = 100;
+/// Log-odds of a bare tree, and of each twig, up to so many.
+const SCORE: (f32, f32, usize) = (4.0, 0.25, 12);
+
+/// Proposes a bare tree for each group of lines.
+pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
+    if page.lines.iter().map(|line| line.length).sum::<f32>() >= AUTO * page.length {
+        out.extend(page.groups.iter().filter_map(|group| bare(page, group)));
+    }
+}
+
+fn bare(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+    if group.len() > MOST {
+        return None;
+    }
+    let trunk = TrunkSides::find(page, group)?;
+    let sides: BTreeSet<usize> = trunk.lines().collect();
+    let runs = group.iter().flat_map(|line| trunk.rest_of(*line, &page.lines[*line]));
+    // What is left of the sides at their feet is the end of the trunk.
+    let half = 0.5 * (trunk.foot().y + trunk.top().y);
+    let is_above = |(run, line): &(Vec<Vec2>, usize)| !sides.contains(line) || run.iter().all(|p| p.y < half);
+    let runs: Vec<Vec<Vec2>> = runs.filter(is_above).map(|(run, _)| run).collect();
+    let middle: Vec<Vec2> = trunk.rows().iter().map(|row| row.0).collect();
+    // How far a place is from the trunk and from all lines but one.
+    let away = |place: Vec2, own: usize| {
+        let others = runs.iter().enumerate().filter(|(number, _)| *number != own).map(|(_, run)| run);
+        let gaps = others.chain([&middle]).filter_map(|line| polyline::nearest(line, place));
+        gaps.map(|(gap, _)| gap).fold(f32::INFINITY, f32::min)
+    };
+    let twigs_of = |(number, run): (usize, &Vec<Vec2>)| twigs_of(run, &|place| away(place, number));
+    let twigs: Vec<Vec<Vec2>> = runs.iter().enumerate().flat_map(twigs_of).collect();
+    let length = |lines: &[Vec<Vec2>]| lines.iter().map(|line| polyline::length(line)).sum::<f32>();
+    let straight: Vec<Vec<Vec2>> = twigs.into_iter().filter(|twig| is_straight(twig)).collect();
+    let rising: Vec<Vec<Vec2>> = straight.iter().filter(|twig| rises(twig)).cloned().collect();
+    let reach = straight.iter().flatten().map(|p| p.distance(trunk.top())).fold(0.0, f32::max);
+    let begins_away = |twig: &&Vec<Vec2>| twig[0].distance(trunk.top()) > AWAY * reach;
+    let (foot, highest) =
+        (trunk.foot().y, straight.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min));
+    let is_clear = |twig: &Vec<Vec2>| twig.iter().all(|p| foot - p.y > CLEAR * (foot - highest));
+    let is_bare = straight.len() >= if trunk.is_line() { FEWEST.1 } else { FEWEST.0 }
+        && straight.iter().filter(begins_away).count() >= FEWEST.2
+        && straight.iter().all(is_clear)
+        && length(&straight) > EXPLAINED * length(&runs)
+        && length(&rising) > RISING.0 * length(&straight);
+    if !is_bare {
+        return None;
+    }
+    let uses: BTreeSet<usize> = group.iter().copied().chain(sides).collect();
+    let score = SCORE.0 + SCORE.1 * straight.len().min(SCORE.2) as f32;
+    let branches = straight.into_iter().map(|twig| Made::new(Tool::Branch, twig));
+    Some(Hypothesis {
+        uses: uses.into_iter().collect(),
+        score,
+        parts: [trunk.branch()].into_iter().chain(branches).collect(),
+        solids: Vec::new(),
+        reading: Reading::BareTree,
+        habit: Some(Habit::Tree),
+    })
+}
+
+/// A line from the end at which it grows on another, or both twigs of a fork from its corner; `gap` says how far a place is from others.
+fn twigs_of(run: &[Vec2], gap: &dyn Fn(Vec2) -> f32) -> Vec<Vec<Vec2>> {
+    let (first, last) = (run[0], run[run.len() - 1]);
+    let away = |k: &usize| (last - first).perp_dot(run[*k] - first).abs();
+    let corner = (0..run.len()).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
+    let is_low = run[corner].y > first.y.min(last.y) && corner > 0 && corner + 1 < run.len();
+    if !is_straight(run) && is_low && is_straight(&run[..=corner]) && is_straight(&run[corner..]) {
+        let down: Vec<Vec2> = run[..=corner].iter().rev().copied().collect();
+        return vec![down, run[corner..].to_vec()];
+    }
+    let mut twig = run.to_vec();
+    if gap(first) > gap(last) {
+        twig.reverse();
+    }
+    vec![twig]
+}
+
+fn chord(twig: &[Vec2]) -> Vec2 {
+    twig[twig.len() - 1] - twig[0]
+}
+
+fn is_straight(twig: &[Vec2]) -> bool {
+    chord(twig).length() > STRAIGHT * polyline::length(twig)
+}
+
+fn rises(twig: &[Vec2]) -> bool {
+    -chord(twig).y > RISING.1 * chord(twig).length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::anatomy::conventions::line;
+
+    fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
+        crate::anatomy::conventions::read_by(propose, lines)
+    }
+
+    fn sides() -> [Vec<Vec2>; 2] {
+        [line(&[(-8.0, 0.0), (-5.0, -90.0)]), line(&[(8.0, 0.0), (5.0, -90.0)])]
+    }
+
+    /// Three boughs from the trunk's top.
+    fn boughs() -> Vec<Vec<Vec2>> {
+        vec![
+            line(&[(-5.0, -90.0), (-60.0, -150.0)]),
+            line(&[(0.0, -90.0), (2.0, -180.0)]),
+            line(&[(5.0, -90.0), (55.0, -155.0)]),
+        ]
+    }
+
+    #[test]
+    fn boughs_with_twigs_on_a_trunk_of_two_sides_are_a_bare_tree() {
+        let fork = line(&[(-70.0, -120.0), (-32.0, -118.0), (-30.0, -160.0)]);
+        let twig = line(&[(1.0, -130.0), (25.0, -165.0)]);
+        let lines: Vec<Vec<Vec2>> = sides().into_iter().chain(boughs()).chain([fork, twig]).collect();
+        let found = read(&lines);
+        assert_eq!(found.len(), 1);
+        assert_eq!((found[0].reading, found[0].uses.len()), (Reading::BareTree, 7));
+        assert_eq!(found[0].habit, Some(Habit::Tree));
+        assert!(found[0].parts.iter().all(|part| part.tool == Tool::Branch));
+        assert!(found[0].parts[0].half_width.is_some(), "the trunk is as wide as drawn");
+    }
+
+    #[test]
+    fn a_trunk_of_one_line_has_many_twigs_and_grass_has_no_trunk() {
+        let trunk = line(&[(0.0, 0.0), (0.0, -90.0)]);
+        let twigs = [(-30.0, -120.0), (1.0, -135.0), (28.0, -122.0)]
+            .map(|(x, y)| line(&[(x, y), (1.6 * x + 8.0, y - 40.0)]));
+        let lines: Vec<Vec<Vec2>> = [trunk.clone()].into_iter().chain(boughs()).chain(twigs).collect();
+        assert_eq!(read(&lines).len(), 1);
+        assert!(read(&lines[..6]).is_empty(), "a stem with twigs");
+        let blade = |k: i32| line(&[(8.0 * k as f32, 0.0), (8.0 * k as f32 + 12.0 * (k % 2) as f32, -80.0)]);
+        assert!(read(&(0..14).map(blade).collect::<Vec<_>>()).is_empty());
+    }
+
+    #[test]
+    fn lines_from_one_place_arcs_and_outlines_are_none() {
+        let palm: Vec<Vec<Vec2>> = sides().into_iter().chain(boughs()).collect();
+        assert!(read(&palm).is_empty(), "they may be fronds");
+        let hanging = |x: f32| line(&[(0.0, -90.0), (x, -130.0), (2.0 * x, -80.0)]);
+        let arcs = sides().into_iter().chain([-50.0, -30.0, 30.0, 50.0].map(hanging)).collect::<Vec<_>>();
+        assert!(read(&arcs).is_empty());
+        let crown: Vec<Vec2> =
+            (0..=40).map(|k| Vec2::from_angle(0.157 * k as f32) * 70.0 - Vec2::Y * 150.0).collect();
+        let full: Vec<Vec<Vec2>> = palm.into_iter().chain([crown]).collect();
+        assert!(read(&full).is_empty());
+    }
+}
