@@ -48,6 +48,7 @@ mod garden_tool;
 mod grafting;
 mod interface;
 mod keys;
+mod level_preview;
 mod live_plant;
 mod lost_drawings;
 mod missing_species;

@@ -6,7 +6,7 @@
 //!
 //! Limits: petals stay in their flowers, and pots stay what they are. Copies are of what was drawn or grew, not of other copies.
 
-use super::organ_poses::OrganGroup;
+use super::organ_group::OrganGroup;
 use crate::plant::{Branch, Motion, Organ, OrganKind, Origin, Plant, Shape};
 use crate::sketch::{PartName, PartPose};
 use glam::{Mat3, Quat, Vec3};

@@ -44,7 +44,8 @@ pub(super) use parse::{garden_drawings, parse};
 pub(super) use write::push_garden_drawings;
 pub use write::write;
 
-use super::{GardenPlant, GardenStroke, GardenTool, PartPose, Sketch, Stroke, TextureChoice, Tool};
+use super::{Correction, GardenPlant, GardenStroke, GardenTool, PartPose, Reading, Sketch, Stroke};
+use super::{TextureChoice, Tool, Verdict};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -58,12 +59,16 @@ pub const FORMAT: &str = "penstemon-sketch";
 /// petals. 6: branches drawn, and turned, in the view of the plant. 7: strokes of brushes there. 8: strokes of the
 /// light brush. 9: poses of branches that grew, and their thickness. 10: parts that are moved along what they grow on, and strokes of the leaf and the flower brush.
 /// 11: a garden around the plant. 12: ages and other drawings in it. 13: parts that are straightened or grafted.
-/// 14: branches that are younger than their plant, and parts that are copies of others.
+/// 14: branches that are younger than their plant, and parts that are copies of others; corrections about bare trees.
 pub const VERSION: u32 = 14;
 
 /// The oldest version that can hold a sketch, so that older programs open what they understand.
 fn version_of(sketch: &Sketch) -> u32 {
-    if !sketch.part_poses.iter().all(PartPose::is_of_version_13) {
+    let is_bare_tree = |correction: &Correction| {
+        matches!(correction.verdict, Verdict::Not(Reading::BareTree) | Verdict::As(Reading::BareTree))
+    };
+    let is_new = sketch.corrections.iter().any(is_bare_tree);
+    if is_new || !sketch.part_poses.iter().all(PartPose::is_of_version_13) {
         return 14;
     }
     if !sketch.part_poses.iter().all(PartPose::is_of_old_kinds) {

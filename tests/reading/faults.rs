@@ -47,7 +47,7 @@ fn corrections_that_say_nothing_are_refused() {
     assert_eq!(corrections.len(), 2);
     assert_eq!(corrections[0].strokes, [3, 9], "strokes that are not there do no harm");
     for (bad, part) in [
-        (r#"{"strokes": [3], "not": "shrub"}"#, "never read as `shrub`; readings are tree, bush"),
+        (r#"{"strokes": [3], "not": "shrub"}"#, "never read as `shrub`; readings are tree, bare_tree, bush"),
         (r#"{"strokes": [3], "not": "separate"}"#, "never read as `separate`"),
         (r#"{"strokes": [3], "not": "tree", "as": "bush"}"#, "either `not` or `as`"),
         (r#"{"strokes": [3]}"#, "either `not` or `as`"),
