@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::time::{Duration, Instant};
 
 /// Longest wait for a plant or a click; only a test that has failed takes so long.
-pub(super) const PATIENCE: Duration = Duration::from_secs(60);
+pub(super) const PATIENCE: Duration = Duration::from_secs(180);
 
 /// An editor with a sketch of `assets/sketches`, built.
 pub(super) fn with_sketch(home: &tempfile::TempDir, name: &str) -> (Editor, egui::Context) {

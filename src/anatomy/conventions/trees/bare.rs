@@ -30,7 +30,7 @@ const AUTO: f32 = 0.5;
 /// Most lines that are looked at.
 const MOST: usize = 100;
 /// Log-odds of a bare tree, and of each twig, up to so many.
-const SCORE: (f32, f32, usize) = (4.0, 0.25, 12);
+const SCORE: (f32, f32, usize) = (5.0, 0.25, 12);
 
 /// Proposes a bare tree for each group of lines.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -50,34 +50,14 @@ fn bare(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let half = 0.5 * (trunk.foot().y + trunk.top().y);
     let is_above = |(run, line): &(Vec<Vec2>, usize)| !sides.contains(line) || run.iter().all(|p| p.y < half);
     let runs: Vec<Vec<Vec2>> = runs.filter(is_above).map(|(run, _)| run).collect();
-    let middle: Vec<Vec2> = trunk.rows().iter().map(|row| row.0).collect();
-    // How far a place is from the trunk and from all lines but one.
-    let away = |place: Vec2, own: usize| {
-        let others = runs.iter().enumerate().filter(|(number, _)| *number != own).map(|(_, run)| run);
-        let gaps = others.chain([&middle]).filter_map(|line| polyline::nearest(line, place));
-        gaps.map(|(gap, _)| gap).fold(f32::INFINITY, f32::min)
-    };
-    let twigs_of = |(number, run): (usize, &Vec<Vec2>)| twigs_of(run, &|place| away(place, number));
-    let twigs: Vec<Vec<Vec2>> = runs.iter().enumerate().flat_map(twigs_of).collect();
-    let length = |lines: &[Vec<Vec2>]| lines.iter().map(|line| polyline::length(line)).sum::<f32>();
-    let straight: Vec<Vec<Vec2>> = twigs.into_iter().filter(|twig| is_straight(twig)).collect();
-    let rising: Vec<Vec<Vec2>> = straight.iter().filter(|twig| rises(twig)).cloned().collect();
-    let reach = straight.iter().flatten().map(|p| p.distance(trunk.top())).fold(0.0, f32::max);
-    let begins_away = |twig: &&Vec<Vec2>| twig[0].distance(trunk.top()) > AWAY * reach;
-    let (foot, highest) =
-        (trunk.foot().y, straight.iter().flatten().map(|p| p.y).fold(f32::INFINITY, f32::min));
-    let is_clear = |twig: &Vec<Vec2>| twig.iter().all(|p| foot - p.y > CLEAR * (foot - highest));
-    let is_bare = straight.len() >= if trunk.is_line() { FEWEST.1 } else { FEWEST.0 }
-        && straight.iter().filter(begins_away).count() >= FEWEST.2
-        && straight.iter().all(is_clear)
-        && length(&straight) > EXPLAINED * length(&runs)
-        && length(&rising) > RISING.0 * length(&straight);
-    if !is_bare {
+    let mut twigs = straight_twigs(&trunk, &runs)?;
+    grow_from_others(&mut twigs, &trunk);
+    if !are_of_a_tree(&twigs, trunk.top()) {
         return None;
     }
     let uses: BTreeSet<usize> = group.iter().copied().chain(sides).collect();
-    let score = SCORE.0 + SCORE.1 * straight.len().min(SCORE.2) as f32;
-    let branches = straight.into_iter().map(|twig| Made::new(Tool::Branch, twig));
+    let score = SCORE.0 + SCORE.1 * twigs.len().min(SCORE.2) as f32;
+    let branches = twigs.into_iter().map(|twig| Made::new(Tool::Branch, twig.points));
     Some(Hypothesis {
         uses: uses.into_iter().collect(),
         score,
@@ -88,21 +68,77 @@ fn bare(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     })
 }
 
-/// A line from the end at which it grows on another, or both twigs of a fork from its corner; `gap` says how far a place is from others.
-fn twigs_of(run: &[Vec2], gap: &dyn Fn(Vec2) -> f32) -> Vec<Vec<Vec2>> {
-    let (first, last) = (run[0], run[run.len() - 1]);
-    let away = |k: &usize| (last - first).perp_dot(run[*k] - first).abs();
-    let corner = (0..run.len()).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
-    let is_low = run[corner].y > first.y.min(last.y) && corner > 0 && corner + 1 < run.len();
-    if !is_straight(run) && is_low && is_straight(&run[..=corner]) && is_straight(&run[corner..]) {
-        let down: Vec<Vec2> = run[..=corner].iter().rev().copied().collect();
-        return vec![down, run[corner..].to_vec()];
+/// A bough or a twig.
+struct Twig {
+    points: Vec<Vec2>,
+    /// Whether it begins at the corner of a fork, and so is known to grow from its first point on.
+    is_forked: bool,
+}
+
+impl Twig {
+    /// A line, or both twigs of a fork from its corner.
+    fn of(run: &[Vec2]) -> Vec<Self> {
+        let (first, last) = (run[0], run[run.len() - 1]);
+        let away = |k: &usize| (last - first).perp_dot(run[*k] - first).abs();
+        let corner = (0..run.len()).max_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);
+        let is_low = run[corner].y > first.y.min(last.y) && corner > 0 && corner + 1 < run.len();
+        if !is_straight(run) && is_low && is_straight(&run[..=corner]) && is_straight(&run[corner..]) {
+            let down: Vec<Vec2> = run[..=corner].iter().rev().copied().collect();
+            return [down, run[corner..].to_vec()].map(|points| Self { points, is_forked: true }).into();
+        }
+        vec![Self { points: run.to_vec(), is_forked: false }]
     }
-    let mut twig = run.to_vec();
-    if gap(first) > gap(last) {
-        twig.reverse();
+
+    fn base(&self) -> Vec2 {
+        self.points[0]
     }
-    vec![twig]
+
+    fn length(&self) -> f32 {
+        polyline::length(&self.points)
+    }
+
+    fn rises(&self) -> bool {
+        let chord = chord(&self.points);
+        -chord.y > RISING.1 * chord.length()
+    }
+}
+
+/// The straight twigs among some lines above a trunk, if they are nearly all of them, enough, and clear of the ground.
+fn straight_twigs(trunk: &TrunkSides, runs: &[Vec<Vec2>]) -> Option<Vec<Twig>> {
+    let twigs: Vec<Twig> =
+        runs.iter().flat_map(|run| Twig::of(run)).filter(|twig| is_straight(&twig.points)).collect();
+    let drawn: f32 = runs.iter().map(|run| polyline::length(run)).sum();
+    let explained: f32 = twigs.iter().map(Twig::length).sum();
+    let points = || twigs.iter().flat_map(|twig| &twig.points);
+    let (foot, high) = (trunk.foot().y, points().map(|p| p.y).fold(f32::INFINITY, f32::min));
+    let is_clear = points().all(|p| foot - p.y > CLEAR * (foot - high));
+    let fewest = if trunk.is_line() { FEWEST.1 } else { FEWEST.0 };
+    (twigs.len() >= fewest && explained > EXPLAINED * drawn && is_clear).then_some(twigs)
+}
+
+/// Turns twigs so that each begins at the end that is nearer to the trunk or to another.
+fn grow_from_others(twigs: &mut [Twig], trunk: &TrunkSides) {
+    let middle: Vec<Vec2> = trunk.rows().iter().map(|row| row.0).collect();
+    let gap = |place: Vec2, own: usize| {
+        let others = twigs.iter().enumerate().filter(|(number, _)| *number != own);
+        let lines = others.map(|(_, twig)| &twig.points).chain([&middle]);
+        let gaps = lines.filter_map(|line| polyline::nearest(line, place));
+        gaps.map(|(gap, _)| gap).fold(f32::INFINITY, f32::min)
+    };
+    let is_turned = |(own, twig): (usize, &Twig)| {
+        !twig.is_forked && gap(twig.base(), own) > gap(twig.points[twig.points.len() - 1], own)
+    };
+    let turned: Vec<bool> = twigs.iter().enumerate().map(is_turned).collect();
+    twigs.iter_mut().zip(turned).filter(|(_, turned)| *turned).for_each(|(twig, _)| twig.points.reverse());
+}
+
+/// Whether most of some twigs rise, and some begin away from the top of their trunk.
+fn are_of_a_tree(twigs: &[Twig], top: Vec2) -> bool {
+    let reach = twigs.iter().flat_map(|twig| &twig.points).map(|p| p.distance(top)).fold(0.0, f32::max);
+    let begins_away = |twig: &&Twig| twig.base().distance(top) > AWAY * reach;
+    let length: f32 = twigs.iter().map(Twig::length).sum();
+    let rising: f32 = twigs.iter().filter(|twig| twig.rises()).map(Twig::length).sum();
+    twigs.iter().filter(begins_away).count() >= FEWEST.2 && rising > RISING.0 * length
 }
 
 fn chord(twig: &[Vec2]) -> Vec2 {
@@ -111,10 +147,6 @@ fn chord(twig: &[Vec2]) -> Vec2 {
 
 fn is_straight(twig: &[Vec2]) -> bool {
     chord(twig).length() > STRAIGHT * polyline::length(twig)
-}
-
-fn rises(twig: &[Vec2]) -> bool {
-    -chord(twig).y > RISING.1 * chord(twig).length()
 }
 
 #[cfg(test)]

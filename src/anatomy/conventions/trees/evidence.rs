@@ -44,17 +44,18 @@ const BALLS: (usize, usize, f32, f32) = (2, 4, 1.05, 0.5);
 /// The lines without a few balls that touch or overlap each other: a crown drawn ball by ball.
 pub(crate) fn without_balls<'a>(lines: &[&'a Line]) -> Vec<&'a Line> {
     let round: Vec<&Line> = lines.iter().copied().filter(|line| balls::is_round(line)).collect();
+    if !(BALLS.0..=BALLS.1).contains(&round.len()) {
+        return lines.to_vec();
+    }
     let half = |line: &Line| 0.25 * (line.size().x + line.size().y);
     let touches = |a: &Line, b: &Line| {
         let is_even = half(a).min(half(b)) > BALLS.3 * half(a).max(half(b));
         !std::ptr::eq(a, b) && is_even && a.middle().distance(b.middle()) < BALLS.2 * (half(a) + half(b))
     };
-    let is_ball = |line: &Line| round.iter().any(|other| touches(line, other));
-    let together: Vec<&Line> = round.iter().copied().filter(|line| is_ball(line)).collect();
-    if together.len() != round.len() || !(BALLS.0..=BALLS.1).contains(&together.len()) {
+    if !round.iter().all(|line| round.iter().any(|other| touches(line, other))) {
         return lines.to_vec();
     }
-    lines.iter().copied().filter(|line| !together.iter().any(|ball| std::ptr::eq(*ball, *line))).collect()
+    lines.iter().copied().filter(|line| !balls::is_round(line)).collect()
 }
 
 /// Lower part of the whole in which leaves stand at the foot of a stem, as a share of its height, and fewest of them; least area of one, as
