@@ -23,7 +23,7 @@ pub(super) fn replace(
         groups.iter().enumerate().map(|(place, group)| (group.name, place)).collect();
     let (mut gone, mut resting) = (Vec::new(), 0);
     for group in groups {
-        let Some(pose) = pose_of.get(&group.name) else { continue };
+        let Some(pose) = pose_of.get(&group.name).filter(|pose| !pose.is_cut) else { continue };
         let Some(like) = pose.like else { continue };
         let pattern = place_of.get(&like).map(|place| &groups[*place]);
         let can_be = |group: &&OrganGroup| is_replaceable(plant, group);

@@ -151,6 +151,9 @@ impl Page {
 const FULL_WEIGHT: f32 = 0.4;
 const LEAST_WEIGHT: f32 = 0.3;
 
+/// Least length of the lines that conventions look at, as a share of all: among parts whose tool the artist chose, lines are branches.
+const MOSTLY_FREE: f32 = 0.5;
+
 /// Most steps that a search for lines in boxes takes: that many lines in one spot are no drawing.
 const MOST_STEPS: u64 = 1 << 22;
 
@@ -158,6 +161,11 @@ impl Page {
     /// How much a part of such a diagonal counts: what is small beside the drawing must not outweigh what explains all of it.
     pub(super) fn weight(&self, diagonal: f32) -> f32 {
         (diagonal / (FULL_WEIGHT * self.diagonal)).clamp(LEAST_WEIGHT, 1.0)
+    }
+
+    /// Whether the artist left it open what much of the drawing is.
+    pub(super) fn is_mostly_free(&self) -> bool {
+        self.lines.iter().map(|line| line.length).sum::<f32>() >= MOSTLY_FREE * self.length
     }
 
     /// For each box, by its smallest and largest corner, the lines whose bounds it touches, ascending; none that are

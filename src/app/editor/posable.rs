@@ -86,7 +86,8 @@ impl Editor {
         is_drawn || seen >= LARGE * self.plant.pixels_per_point()
     }
 
-    /// The strokes that drew a part: those of the petals of a flower; none of what grew.
+    /// The strokes that drew a part: those of the petals of a flower, or that of which a copy of another part has the name; none of what
+    /// grew.
     pub(super) fn strokes_of(&self, name: PartName) -> Vec<u64> {
         let (Some(built), Some(Posable { part, .. })) = (self.built(), self.posable(name)) else {
             return Vec::new();
@@ -98,6 +99,9 @@ impl Editor {
                 group.organs.iter().filter_map(|organ| stroke(built.plant.organs[*organ].origin)).collect()
             }
         };
+        if let (true, PartName::Stroke(stroke)) = (strokes.is_empty(), name) {
+            strokes.push(stroke);
+        }
         strokes.sort_unstable();
         strokes.dedup();
         strokes

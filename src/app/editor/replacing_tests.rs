@@ -59,6 +59,14 @@ fn a_leaf_becomes_a_flower_where_it_stood_and_a_flower_a_leaf() {
     let text = json::write(editor.sketch());
     assert!(text.contains("\"version\": 14") && text.contains("\"like\": {"));
     assert_eq!(&crate::sketch::from_bytes(text.as_bytes(), "a.penstemon").unwrap().0, editor.sketch());
+    // Taken away, it goes with the stroke of the leaf.
+    let strokes = editor.sketch().strokes.len();
+    editor.perform(Action::TakeAwayPart);
+    build(&mut editor);
+    assert_eq!(editor.sketch().strokes.len(), strokes - 1);
+    assert_eq!(editor.built().unwrap().plant.flowers.len(), before.plant.flowers.len());
+    editor.perform(Action::Undo);
+    build(&mut editor);
     editor.perform(Action::ResetPose);
     build(&mut editor);
     assert_eq!(editor.built().unwrap().model, before.model, "as it was drawn, to the last bit");
@@ -70,6 +78,13 @@ fn a_leaf_becomes_a_flower_where_it_stood_and_a_flower_a_leaf() {
     after.plant.check_invariants().unwrap();
     assert_eq!(after.plant.flowers.len(), before.plant.flowers.len() - 1);
     assert_eq!(leaves(&after.plant), leaves(&before.plant) + 1);
+    // A flower has the name of all its strokes, and what it became is cut off by that.
+    let pose = editor.sketch().part_poses[0];
+    editor.change(crate::sketch::Change::part_poses([PartPose { is_cut: true, ..pose }].into()));
+    build(&mut editor);
+    let after = editor.built().unwrap().clone();
+    assert_eq!(leaves(&after.plant), leaves(&before.plant), "no copy of what is taken away");
+    assert_eq!(after.plant.flowers.len(), before.plant.flowers.len() - 1);
 }
 
 #[test]

@@ -25,8 +25,6 @@ const STRAIGHT: f32 = 0.86;
 const EXPLAINED: f32 = 0.9;
 /// Share of the twigs' length that rises, and least rise of a twig over its chord.
 const RISING: (f32, f32) = (0.75, 0.1);
-/// Least length of the lines that conventions look at, as a share of all: among parts whose tool the artist chose, lines are branches.
-const AUTO: f32 = 0.5;
 /// Most lines that are looked at.
 const MOST: usize = 100;
 /// Log-odds of a bare tree, and of each twig, up to so many.
@@ -34,7 +32,7 @@ const SCORE: (f32, f32, usize) = (5.0, 0.25, 12);
 
 /// Proposes a bare tree for each group of lines.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    if page.lines.iter().map(|line| line.length).sum::<f32>() >= AUTO * page.length {
+    if page.is_mostly_free() {
         out.extend(page.groups.iter().filter_map(|group| bare(page, group)));
     }
 }

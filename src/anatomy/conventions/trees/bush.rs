@@ -40,14 +40,12 @@ const CHORD: usize = 60;
 const POINTS: usize = 160;
 /// Stems: directions from upright in degrees, and lengths in heights of the bush.
 const STEMS: [(f32, f32); 5] = [(-38.0, 0.4), (-17.0, 0.5), (2.0, 0.55), (20.0, 0.5), (40.0, 0.4)];
-/// Least length of the lines that conventions look at, as a share of all: among parts whose tool the artist chose, lines are branches.
-const AUTO: f32 = 0.5;
 /// Log-odds of an outline, and of a scribble.
 const SCORE: (f32, f32) = (2.0, 2.5);
 
 /// Proposes bushes, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    if page.lines.iter().map(|line| line.length).sum::<f32>() < AUTO * page.length {
+    if !page.is_mostly_free() {
         return;
     }
     out.extend(page.groups.iter().filter_map(|group| bush(page, group)));
