@@ -20,6 +20,17 @@ pub(crate) enum Outline {
     Palmate { angles: &'static [f32], half_width: f32 },
 }
 
+/// How leaves stand along the twig.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// One by one, left and right in turn.
+    Alternate,
+    /// In pairs; every second pair stands toward and away from the eye, and is seen shorter.
+    Crosswise,
+    /// In pairs in one plane, as the leaflets of a leaf.
+    Pinnate,
+}
+
 /// Sinuses between lobes run up toward the margin by such a share of their way out.
 const SINUS_RISE: f32 = 0.4;
 /// Length that one sees of leaves that stand toward the eye.
@@ -35,8 +46,7 @@ pub(crate) struct LeafyShoot {
     pub(crate) leaves: u32,
     pub(crate) length: f32,
     pub(crate) angle: f32,
-    /// Leaves stand in pairs, one opposite the other; every second pair stands toward and away from the eye, and is seen shorter.
-    pub(crate) opposite: bool,
+    pub(crate) order: Order,
     /// Length of the stalk, in lengths of the leaf.
     pub(crate) stalk: f32,
     pub(crate) outline: Outline,
@@ -77,7 +87,8 @@ impl LeafyShoot {
         let end = 1.0 - self.length * (1.0 + self.stalk);
         let leaf = |k: u32| {
             let random = |what: i32| hash(IVec2::new(k as i32, what), self.seed) - 0.5;
-            let share = (if self.opposite { k & !1 } else { k }) as f32 / self.leaves as f32;
+            let level = if self.order == Order::Alternate { k } else { k & !1 };
+            let share = level as f32 / self.leaves as f32;
             let side = if k.is_multiple_of(2) { -1.0 } else { 1.0 };
             let angle = if k == self.leaves {
                 0.0
@@ -87,7 +98,7 @@ impl LeafyShoot {
             let along = Vec2::Y.rotate(Vec2::from_angle(angle.to_radians()));
             let length = self.length * (1.0 + 0.16 * random(1));
             let foot = Vec2::new(0.0, end * (0.16 + 0.84 * share));
-            let toward_eye = self.opposite && k % 4 > 1 && k < self.leaves;
+            let toward_eye = self.order == Order::Crosswise && k % 4 > 1 && k < self.leaves;
             let seen = if toward_eye { SHORTENED * length } else { length };
             Placed { foot, along, length, seen, light: 0.07 * random(2) }
         };

@@ -2,12 +2,12 @@
 //! looks like one serrated leaf.
 
 use super::leaf::{Leaf, palmate, pinnate};
-use super::leafy_shoot::{LeafyShoot, Outline};
+use super::leafy_shoot::{LeafyShoot, Order, Outline};
 use super::needles::Shoot;
 
 /// Shoots of broad-leaved trees, with their names.
 pub(crate) fn leafy() -> Vec<(&'static str, LeafyShoot)> {
-    [of_forests(), of_hedges(), of_orchards(), lobed()].into_iter().flatten().collect()
+    [of_forests(), of_rivers(), of_hedges(), of_orchards(), lobed()].into_iter().flatten().collect()
 }
 
 /// Large trees.
@@ -17,7 +17,7 @@ fn of_forests() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 6,
         length: 0.27,
         angle: 62.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.3,
         outline: Outline::Entire,
         half_width: 0.42,
@@ -31,7 +31,7 @@ fn of_forests() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 8,
         length: 0.25,
         angle: 58.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.08,
         outline: Outline::Entire,
         half_width: 0.3,
@@ -45,7 +45,7 @@ fn of_forests() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 8,
         length: 0.22,
         angle: 56.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.5,
         outline: Outline::Entire,
         half_width: 0.44,
@@ -57,6 +57,39 @@ fn of_forests() -> Vec<(&'static str, LeafyShoot)> {
     vec![("shoot_linden", linden), ("shoot_beech", beech), ("shoot_poplar", poplar)]
 }
 
+/// A willow's whip with narrow leaves, and the leaf of a rowan, which is one of many leaflets in pairs.
+fn of_rivers() -> Vec<(&'static str, LeafyShoot)> {
+    let willow = LeafyShoot {
+        width: 0.44,
+        leaves: 10,
+        length: 0.34,
+        angle: 32.0,
+        order: Order::Alternate,
+        stalk: 0.06,
+        outline: Outline::Entire,
+        half_width: 0.07,
+        taper: (0.8, 1.15),
+        leaf: pinnate(0x86ac4c, 0x648c3c, 0xc0d48c, 9.0, 0.6, 733),
+        bark: 0xa89c4c,
+        seed: 739,
+    };
+    let rowan = LeafyShoot {
+        width: 0.56,
+        leaves: 14,
+        length: 0.25,
+        angle: 64.0,
+        order: Order::Pinnate,
+        stalk: 0.02,
+        outline: Outline::Entire,
+        half_width: 0.13,
+        taper: (0.5, 0.7),
+        leaf: pinnate(0x5a8a40, 0x3e6c32, 0xa0c07c, 9.0, 0.35, 743),
+        bark: 0x7c9850,
+        seed: 751,
+    };
+    vec![("shoot_willow", willow), ("shoot_rowan", rowan)]
+}
+
 /// Small trees and shrubs.
 fn of_hedges() -> Vec<(&'static str, LeafyShoot)> {
     let birch = LeafyShoot {
@@ -64,7 +97,7 @@ fn of_hedges() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 8,
         length: 0.2,
         angle: 60.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.4,
         outline: Outline::Entire,
         half_width: 0.38,
@@ -78,7 +111,7 @@ fn of_hedges() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 4,
         length: 0.3,
         angle: 60.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.14,
         outline: Outline::Entire,
         half_width: 0.38,
@@ -92,7 +125,7 @@ fn of_hedges() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 8,
         length: 0.26,
         angle: 58.0,
-        opposite: true,
+        order: Order::Crosswise,
         stalk: 0.06,
         outline: Outline::Entire,
         half_width: 0.27,
@@ -111,7 +144,7 @@ fn of_orchards() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 5,
         length: 0.26,
         angle: 58.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.28,
         outline: Outline::Entire,
         half_width: 0.33,
@@ -125,7 +158,7 @@ fn of_orchards() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 10,
         length: 0.27,
         angle: 48.0,
-        opposite: true,
+        order: Order::Crosswise,
         stalk: 0.06,
         outline: Outline::Entire,
         half_width: 0.095,
@@ -145,7 +178,7 @@ fn lobed() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 7,
         length: 0.3,
         angle: 56.0,
-        opposite: false,
+        order: Order::Alternate,
         stalk: 0.04,
         outline: Outline::Lobed { lobes: 4.5, depth: 0.42 },
         half_width: 0.3,
@@ -159,7 +192,7 @@ fn lobed() -> Vec<(&'static str, LeafyShoot)> {
         leaves: 2,
         length: 0.35,
         angle: 50.0,
-        opposite: true,
+        order: Order::Crosswise,
         stalk: 0.45,
         outline: Outline::Palmate { angles: MAPLE, half_width: 0.15 },
         half_width: 0.75,

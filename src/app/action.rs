@@ -19,6 +19,7 @@ use super::view_state::{LightChoice, Shading, Stride};
 use super::ways_to_read::WayToRead;
 use super::work_surface::WorkSurface;
 use crate::growth::overlay::Wanted;
+use crate::modelling::OnContact;
 use crate::pen::PenSource;
 use crate::picture::{Picture, PictureError};
 use crate::pipeline::LevelSet;
@@ -132,6 +133,8 @@ pub enum Action {
     PoseParts(bool),
     /// What a drag with it does.
     PoseBy(PoseDrag),
+    /// What becomes of wood that meets other wood as it is turned.
+    MeetWood(OnContact),
     /// Let the part that was held last stand as it was drawn or grew.
     ResetPose,
     /// Make it so many times as thick, an organ as large, as it was drawn or grew.

@@ -92,6 +92,7 @@ mod stroke_frame;
 mod test_window;
 mod updates;
 mod walk;
+mod wood_contact;
 
 use super::canvas::{Canvas, CanvasOutcome};
 use super::layout::Layout;

@@ -2,6 +2,7 @@
 
 mod boundary;
 pub mod bvh;
+pub mod capsule;
 pub mod cells;
 pub mod cholesky;
 mod cluster_heads;

@@ -6,6 +6,7 @@
 
 mod branches;
 mod carried;
+mod contact;
 mod curve;
 mod cut_off;
 mod drawn_wood;
@@ -22,6 +23,7 @@ mod straighten;
 mod thickness;
 
 pub use branches::{Cache, add_branches};
+pub use contact::{OnContact, Surroundings};
 pub use drawn_wood::DrawnWood;
 pub use foothold::{Foothold, GROUND_REACH};
 pub use organ_group::OrganGroup;

@@ -66,5 +66,5 @@ readings! {
     /// Letters.
     Writing = "writing", "is read as writing and is no part of the plant";
     /// Strokes over one another.
-    Line = "line", "is read as one line that was drawn again";
+    Line = "line", "is read as one line, drawn again or by its two sides";
 }

@@ -99,7 +99,9 @@ pub(super) fn fruits(
     let of_seat = |seat: &Seat| {
         let key = season::key(seat.leaf, provenance, seed);
         let bears = seat.base.y >= lowest && Choice::FRUITS.unit(key) < share;
-        let seat = seat.out_along(look.along * (1.0 - INNER * Choice::FRUIT_ALONG.unit(key)));
+        // The shoot that a leaf shows is gone with it.
+        let along = if season::has_leaf(year, key) { look.along } else { 0.0 };
+        let seat = seat.out_along(along * (1.0 - INNER * Choice::FRUIT_ALONG.unit(key)));
         let hanging = move |nth| {
             let key = mix(key, nth);
             let course = course(look, year.time, key)?;

@@ -133,6 +133,11 @@ fn course(look: &SeasonLook, key: u64) -> Option<Course> {
     Some(Course { size: 1.0, tint })
 }
 
+/// Whether the leaf of that key is on its plant.
+pub(super) fn has_leaf(look: &SeasonLook, key: u64) -> bool {
+    look.evergreen || course(look, key).is_some()
+}
+
 /// Brings a plant's leaves to the time of the year of its species.
 pub(super) fn turn(plant: &mut Plant, provenance: &Provenance, species: &Species, seed: u64) {
     if species.is_as_described() {

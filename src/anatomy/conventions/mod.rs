@@ -58,11 +58,12 @@ pub use pieces::{DrawnSolid, Interpretation, Piece, ReadStrokes};
 
 use crate::sketch::{Correction, Corrections, Reading, Stroke, StrokeId, Verdict};
 use beneath::{aloft, frame, ground, pot, writing};
-use bodies::{body, fruits, mushroom};
+use bodies::{ball, body, fruits, mushroom, pads};
 use corrected::Corrected;
-use flowers::{bud, corolla, corolla_on_stem, cup, gathered, lotus, rays, rose, row};
+use flowers::{bell, bud, corolla, corolla_on_stem, cup, gathered, lotus, rays, rose, row};
 use leaves::{
-    above_pot, clover, leaf, leaf_loops, leafy_stem, lobed_leaf, potted_stem, stem_arcs, stem_loops,
+    above_pot, clover, double_stem, leaf, leaf_loops, leafy_stem, lobed_leaf, potted_stem, stem_arcs,
+    stem_loops, strap,
 };
 use lines::{Redrawn, chains::Chains};
 use page::Page;
@@ -219,6 +220,8 @@ const CONVENTIONS: &[Propose] = &[
     conifer::propose,
     bush::propose,
     body::propose,
+    ball::propose,
+    pads::propose,
     mushroom::propose,
     fruits::propose,
     corolla::propose,
@@ -226,6 +229,7 @@ const CONVENTIONS: &[Propose] = &[
     rays::propose,
     gathered::propose,
     cup::propose,
+    bell::propose,
     lotus::propose,
     bud::propose,
     rose::propose,
@@ -237,6 +241,8 @@ const CONVENTIONS: &[Propose] = &[
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,
+    strap::propose,
+    double_stem::propose,
     potted_stem::propose,
     above_pot::propose,
     grass::propose,

@@ -34,7 +34,9 @@ impl Editor {
     pub(super) fn hold_ring(&mut self, at: DVec2) -> bool {
         self.posing.ring = self.ring_hold(at);
         if let Some(ring) = &self.posing.ring {
-            self.posing.held_others = self.other_holds(ring.held.before.part);
+            let part = ring.held.before.part;
+            self.posing.held_others = self.other_holds(part);
+            self.posing.around = self.wood_around(part);
             // A plant that becomes larger under the pointer does not move away from it.
             self.plant.take_hold();
         }
@@ -63,6 +65,7 @@ impl Editor {
         let turn = Quat::from_axis_angle(ring.sight, ring.angle as f32);
         let held = ring.held;
         let bends = self.posing.drag == PoseDrag::Bend && !held.is_stiff;
+        let turn = if bends { turn } else { self.posing.free_turn(turn) };
         let all = [&held].into_iter().chain(&self.posing.held_others);
         let poses: Vec<PartPose> = all.map(|held| turned(held, turn, bends)).collect();
         self.pose(poses);

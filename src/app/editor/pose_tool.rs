@@ -1,9 +1,9 @@
 //! The tool that turns, bends and moves parts of the plant: whether it is in hand, and what is held.
 
 use crate::app::pose_drag::PoseDrag;
-use crate::modelling::PartFrame;
+use crate::modelling::{OnContact, PartFrame, Surroundings};
 use crate::sketch::{PartName, PartPose};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Quat, Vec3};
 
 /// A part as it was when it was taken hold of.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +52,10 @@ pub(super) struct PoseTool {
     pub(super) drag: PoseDrag,
     pub(super) hold: Option<PartHold>,
     pub(super) ring: Option<RingHold>,
+    /// What becomes of wood that meets other wood as it is turned.
+    pub(super) on_contact: OnContact,
+    /// The wood around the branch that is held, where that matters, and the last turn at which it is free.
+    pub(super) around: Option<(Surroundings, Quat)>,
     /// The ring turns by an eighth of what the pointer does.
     pub(super) is_fine: bool,
     /// The part that was held or chosen last.
@@ -87,9 +91,16 @@ impl PoseTool {
         self.last = Some(part);
     }
 
+    /// The turn as far as the wood around what is held lets it go.
+    pub(super) fn free_turn(&mut self, to: Quat) -> Quat {
+        let Some((around, from)) = &mut self.around else { return to };
+        *from = around.turn(*from, to, self.on_contact);
+        *from
+    }
+
     /// Takes the hand from what is held; it stays chosen.
     pub(super) fn release(&mut self) {
-        (self.hold, self.ring) = (None, None);
+        (self.hold, self.ring, self.around) = (None, None, None);
         self.held_others.clear();
     }
 }

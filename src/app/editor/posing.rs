@@ -39,6 +39,7 @@ impl Editor {
                 self.posing.is_on = on;
             }
             Action::PoseBy(drag) => self.posing.drag = drag,
+            Action::MeetWood(on_contact) => self.posing.on_contact = on_contact,
             Action::ResetPose => self.pose_as_step(|pose| PartPose::still(pose.part)),
             Action::SizePart(thickness) => self.pose_chosen(|pose| PartPose { thickness, ..pose }),
             Action::StraightenPart(straight) => self.pose_branches(|pose| PartPose { straight, ..pose }),
@@ -103,6 +104,7 @@ impl Editor {
             any: plant.is_some_and(|plant| !(plant.branches.is_empty() && plant.organs.is_empty())),
             on: self.posing.is_on,
             drag: self.posing.drag,
+            on_contact: self.posing.on_contact,
             chosen: self.chosen_parts().count(),
             posed: chosen.is_some_and(|pose| !pose.is_still()),
             size: chosen.filter(|pose| !pose.is_cut).map(|pose| pose.thickness),
@@ -152,7 +154,9 @@ impl Editor {
         }
         self.posing.hold = self.part_hold(at);
         if let Some(hold) = &self.posing.hold {
-            self.posing.held_others = self.other_holds(hold.held.before.part);
+            let part = hold.held.before.part;
+            self.posing.held_others = self.other_holds(part);
+            self.posing.around = self.wood_around(part);
             // A plant that becomes larger under the pointer does not move away from it.
             self.plant.take_hold();
         }
@@ -241,6 +245,7 @@ impl Editor {
         let Some((target, world)) = self.plant.on_plane(hold.grip, to).zip(self.world()) else { return };
         let bends = hold.drag == PoseDrag::Bend;
         let turn = turn_toward(&hold, target, bends);
+        let turn = if hold.drag == PoseDrag::Turn { self.posing.free_turn(turn) } else { turn };
         let pose = |held: &Held| match hold.drag {
             PoseDrag::Move => moved(held, target - hold.grip, world.scale),
             _ => turned(held, turn, bends),

@@ -7,6 +7,7 @@ use super::widgets::{IconButton, note};
 use crate::app::action::Action;
 use crate::app::messages::{Messages, Msg};
 use crate::app::pose_drag::PoseDrag;
+use crate::modelling::OnContact;
 use crate::sketch::part_poses::THICKNESSES;
 use egui::Ui;
 
@@ -38,6 +39,7 @@ pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
             out.push(Action::PoseBy(drag));
         }
     }
+    contact(ui, state.on_contact, messages, out);
     let reset = IconButton::new(Icon::Reset, messages.get(Msg::PoseReset)).enabled(state.posed);
     if reset.show(ui).clicked() {
         out.push(Action::ResetPose);
@@ -50,6 +52,22 @@ pub(super) fn options(ui: &mut Ui, state: &PoseState, messages: &Messages, out: 
     }
     if state.chosen > 1 {
         note(ui, &messages.fill(Msg::PoseChosen, &[("count", &state.chosen)]));
+    }
+}
+
+/// What becomes of wood that meets other wood: it passes through, stops, or slides along, one after the other with each press.
+fn contact(ui: &mut Ui, now: OnContact, messages: &Messages, out: &mut Vec<Action>) {
+    let stop = (Icon::StopAtWood, Msg::PoseStop, Msg::PoseStopHint);
+    let slide = (Icon::SlideAlongWood, Msg::PoseSlide, Msg::PoseSlideHint);
+    let ((icon, name, hint), next) = match now {
+        OnContact::Pass => (stop, OnContact::Stop),
+        OnContact::Stop => (stop, OnContact::Slide),
+        OnContact::Slide => (slide, OnContact::Pass),
+    };
+    let (name, hint) = (messages.get(name), messages.get(hint));
+    let button = IconButton::new(icon, name).hint(format!("{name}\n{hint}"));
+    if button.chosen(now != OnContact::Pass).show(ui).clicked() {
+        out.push(Action::MeetWood(next));
     }
 }
 

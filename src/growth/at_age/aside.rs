@@ -10,12 +10,12 @@
 //! Limits: two that touch after [`ROUNDS`] cross. Where there are more pairs than the budget has comparisons, none is moved.
 //! Drawn wood is not moved.
 
-use super::capsule::Capsule;
 use super::chains::Chains;
 use super::fork::{Fork, Wood};
 use super::rounding;
 use crate::budget::Budget;
 use crate::geom::bvh::{Bounds, overlapping_within};
+use crate::geom::capsule::Capsule;
 use crate::growth::tree::{NONE, Tree};
 use crate::plant::junction::APART;
 use glam::Vec3;

@@ -3,8 +3,8 @@
 //! From both internodes one goes down along the wood until the ways meet. What lies near to that place, along the wood and
 //! in the sum of the two radii, belongs to the fork.
 
-use super::capsule::Capsule;
 use super::chains::Chains;
+use crate::geom::capsule::Capsule;
 use crate::growth::tree::{NONE, Tree};
 use glam::Vec3;
 

@@ -2,7 +2,6 @@
 
 mod aside;
 mod bloom;
-mod capsule;
 pub(super) mod chains;
 pub(super) mod diameter;
 pub mod foliage;

@@ -9,11 +9,11 @@
 //! Limits: where wood is so thick that all of it overlaps, there are more pairs than the budget has comparisons, and none is
 //! cut. What both has to stay, and what touches only where chains are rounded, is left to [`aside`](super::aside).
 
-use super::capsule::Capsule;
 use super::chains::Chains;
 use super::fork::Wood;
 use crate::budget::Budget;
 use crate::geom::bvh::{Bounds, overlapping_within};
+use crate::geom::capsule::Capsule;
 use crate::growth::tree::Tree;
 use crate::plant::junction::APART;
 use glam::Vec3;

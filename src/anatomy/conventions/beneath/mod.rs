@@ -3,7 +3,9 @@
 //! | file | what |
 //! | --- | --- |
 //! | `pot` | what a plant stands in |
+//! | `pot_sides` | the sides of a pot that are lines of their own |
 //! | `pot_rows` | the two sides of a pot, row by row |
+//! | `trailing` | stems that trail over the edge of a pot |
 //! | `ground` | ground lines |
 //! | `frame` | windows, frames, fences |
 //! | `aloft` | the sun, clouds, birds, what is written beside the plant |
@@ -14,4 +16,6 @@ pub(crate) mod frame;
 pub(crate) mod ground;
 pub(crate) mod pot;
 pub(crate) mod pot_rows;
+mod pot_sides;
+mod trailing;
 pub(crate) mod writing;

@@ -3,7 +3,7 @@
 //! A line, or three for the bottom and the sides, may be a pot if it has two sides nearly all the way up, a bottom that is flat over [`FLAT`] of its width or a level upper edge, no notches
 //! ([`SOLID`]) and is not much higher than wide ([`HIGHEST`]). What lies within its bounds belongs to it, and so do level
 //! bands and ellipses at its upper edge, the rim, and a saucer below. It is a pot only if a plant stands in it: other lines have their lowest point at the upper
-//! edge between the sides and rise well above it, narrower than the pot where they enter. A trunk, the stalk of a mushroom and
+//! edge between the sides and rise well above it, narrower than the pot where they enter; or stems trail over it. A trunk, the stalk of a mushroom and
 //! the lower part of a body have no such plant: what rests on them reaches past both sides.
 //!
 //! The pot is a [`Solid`] of revolution. Its profile is half of the distance of its sides in each row, from the rim to the
@@ -12,12 +12,14 @@
 //! Limits: a pot beside something that stands lower is not found; a pot in one stroke with its plant is not found, nor one behind leaves that hang over both of its sides.
 
 use super::pot_rows::{ROWS, Row, mirrored, profile, rows};
+use super::{pot_sides, trailing};
 use crate::anatomy::conventions::flowers::upright::{stand_in_bed, upright};
 use crate::anatomy::conventions::page::{Line, Page, bounds};
 use crate::anatomy::conventions::{Hypothesis, Solid, SolidKind};
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::Reading;
 use glam::Vec2;
+use std::collections::BTreeSet;
 
 /// Least width of a flat bottom, as a share of the pot's, and its slope at most; a circle is as flat over a quarter of its width.
 const FLAT: (f32, f32) = (0.33, 0.27);
@@ -27,8 +29,11 @@ const MOUTH_EDGE: f32 = 0.75;
 const HILL: f32 = 0.6;
 /// Least share of its convex hull that lies between its sides.
 const SOLID: f32 = 0.75;
-/// Greatest height, in widths: a vase.
+/// Greatest height, in widths, and the same of a vase, whose mouth is a line of its own.
 const HIGHEST: f32 = 1.6;
+const VASE: f32 = 2.2;
+/// Least width of a mouth, as a share of the pot's, and how far below the upper edge it is at most, as a share of the height.
+const MOUTH_LINE: (f32, f32) = (0.4, 0.12);
 /// Least height, in widths: a bowl.
 const LOWEST: f32 = 0.15;
 /// Least width, as a share of the drawing's diagonal.
@@ -48,17 +53,22 @@ const MOUTH: (f32, f32) = (0.3, 0.7);
 const PLANT: f32 = 0.4;
 /// Greatest width of a plant where it enters, as a share of the pot's, and how near to a line's foot that is, as a share as well.
 const ENTRY: f32 = 0.85;
+/// Blades may fill the mouth: how many, how wide each is there at most, as a share of the pot's width, and how far below the upper edge
+/// they begin, as a share of its height: fronds on a trunk hang.
+const BLADES: (usize, f32, f32) = (3, 0.35, 0.15);
+/// How far above the upper edge something may rest on it, in heights of the pot, and the same where a rim was drawn.
+const RESTS: (f32, f32) = (0.2, 0.05);
 const FOOT: f32 = 0.15;
 /// Height of a line, as a share of its width, and how often it may cross the middle of it if it is no zigzag.
 const ZIGZAG: (f32, usize) = (0.4, 6);
 /// Log-odds: more than those of a tree, whose trunk a pot would be.
 const SCORE: f32 = 3.5;
-/// How near to the upper end of a side something else ends that it carries, as a share of its height.
-const CARRIED: f32 = 0.12;
 /// How far other things may reach below it, in heights of the pot: under it, and beside it, where they may stand before it.
 const BELOW: (f32, f32) = (0.15, 0.5);
+/// Largest opening of a line around it, which is a frame: a stem may lean over it.
+const AROUND: f32 = 0.3;
 /// Candidates that are looked at, the lowest first.
-const MOST: usize = 8;
+const MOST: usize = 24;
 
 /// Proposes the lowest pot with a plant in it.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -72,13 +82,14 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 
 fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
     let mut pot = if is_level(page, &page.lines[body]) {
-        Pot::around(page, &with_sides(page, body)?)
+        Pot::around(page, &pot_sides::with_bottom(page, body)?)
     } else {
         Pot::around(page, &[body])
     };
     let lines: Vec<&[Vec2]> = pot.uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let mut rows = mirrored(rows(&lines, pot.low, pot.high));
     pot.trim(&mut rows);
+    pot.trailing = trailing::over(page, &pot.uses, (pot.low, pot.high), &rows);
     if is_zigzag(&page.lines[body])
         || !pot.is_box(&lines, &rows)
         || pot.stands_on_more(page)
@@ -96,7 +107,7 @@ fn pot(page: &Page, body: usize) -> Option<Hypothesis> {
 pub(crate) fn of_lines(page: &Page, uses: Vec<usize>, score: f32) -> Option<Hypothesis> {
     let lines: Vec<&[Vec2]> = uses.iter().map(|i| &page.lines[*i].points[..]).collect();
     let (low, high) = bounds(uses.iter().map(|i| &page.lines[*i]));
-    let mut pot = Pot { uses, low, high, size: high - low };
+    let mut pot = Pot { uses, trailing: BTreeSet::new(), low, high, size: high - low };
     let mut rows = mirrored(rows(&lines, low, high));
     pot.trim(&mut rows);
     (profile(&rows).len() > 1).then(|| pot.hypothesis(&rows, score))
@@ -132,40 +143,6 @@ fn is_open_below(line: &Line) -> bool {
 fn is_level(page: &Page, line: &Line) -> bool {
     let size = line.size();
     size.x >= NARROWEST * page.diagonal && size.y < LOWEST * size.x
-}
-
-/// A level line with the two lines that rise from its ends.
-fn with_sides(page: &Page, bottom: usize) -> Option<[usize; 3]> {
-    let line = &page.lines[bottom];
-    let (width, ends) = (line.size().x, line.ends());
-    let side = |corner: Vec2| {
-        let rises = |other: &Line| {
-            let (first, last) = other.ends();
-            let foot = if first.y > last.y { first } else { last };
-            let top = if first.y > last.y { last } else { first };
-            foot.distance(corner) < 0.2 * width
-                && other.size().y > other.size().x.max(LOWEST * width)
-                && !carries(page, other, top, width)
-        };
-        (0..page.lines.len()).find(|i| rises(&page.lines[*i]))
-    };
-    let (left, right) = (side(ends.0)?, side(ends.1)?);
-    (left != right).then_some([left, bottom, right])
-}
-
-/// Whether something no wider than the bottom stands on the upper end of a line, which is a stem then and no side.
-fn carries(page: &Page, line: &Line, top: Vec2, width: f32) -> bool {
-    let near = CARRIED * line.size().y;
-    page.lines.iter().any(|other| {
-        let (low, high) = other.bounds;
-        let is_over = low.x - near < top.x && top.x < high.x + near && other.middle().y < top.y;
-        let reach = near.max(0.3 * other.size().y);
-        is_over
-            && polyline::nearest(&other.points, top).is_some_and(|(gap, _)| gap < reach)
-            && high.y > top.y - near
-            && high.y < top.y + reach
-            && high.x - low.x < width
-    })
 }
 
 /// Whether a line is a band or an ellipse at the upper edge of a body.
@@ -209,6 +186,8 @@ fn near_foot(line: &Line, foot: Vec2, near: f32) -> impl Iterator<Item = f32> {
 /// A pot with all its lines.
 struct Pot {
     uses: Vec<usize>,
+    /// Stems that hang over its edge, with their leaves.
+    trailing: BTreeSet<usize>,
     low: Vec2,
     high: Vec2,
     size: Vec2,
@@ -239,7 +218,7 @@ impl Pot {
         };
         let uses: Vec<usize> = (0..page.lines.len()).filter(belongs).collect();
         let (low, high) = uses.iter().map(|i| page.lines[*i].bounds).fold((low, high), union);
-        Self { uses, low, high, size: high - low }
+        Self { uses, trailing: BTreeSet::new(), low, high, size: high - low }
     }
 
     /// Leaves out what of the uppermost rows is an end of a side that went too far.
@@ -274,18 +253,44 @@ impl Pot {
         let hull_area = simple_loop::area(&hull);
         let between = rows.iter().map(Row::width).sum::<f32>() * self.size.y / rows.len().max(1) as f32;
         let two_sided = rows.iter().filter(|row| row.width() > 0.4 * self.size.x).count();
-        self.size.y <= HIGHEST * self.size.x && between > SOLID * hull_area && 5 * two_sided >= 4 * rows.len()
+        self.size.y <= self.highest(lines) * self.size.x
+            && between > SOLID * hull_area
+            && 5 * two_sided >= 4 * rows.len()
+    }
+
+    /// Greatest height, in widths.
+    fn highest(&self, lines: &[&[Vec2]]) -> f32 {
+        let is_mouth = |line: &&[Vec2]| {
+            let (low, high) = polyline::bounds(line.iter().copied());
+            let is_level = high.y - low.y < LOWEST * (high.x - low.x);
+            let is_high = high.y < self.low.y + MOUTH_LINE.1 * self.size.y;
+            is_level && is_high && high.x - low.x > MOUTH_LINE.0 * self.size.x
+        };
+        if lines.iter().any(is_mouth) { VASE } else { HIGHEST }
+    }
+
+    /// Whether its upper edge is a band or an ellipse of its own.
+    fn has_rim(&self, page: &Page) -> bool {
+        let is_band = |line: &Line| {
+            line.is_closed_and_solid()
+                && line.size().y < RIM.0 * line.size().x
+                && line.bounds.0.y < self.low.y + MOUTH_LINE.1 * self.size.y
+        };
+        self.uses.len() > 1 && self.uses.iter().any(|i| is_band(&page.lines[*i]))
     }
 
     fn others<'a>(&'a self, page: &'a Page) -> impl Iterator<Item = &'a Line> {
-        (0..page.lines.len()).filter(|i| self.uses.binary_search(i).is_err()).map(|i| &page.lines[i])
+        let is_other = |i: &usize| self.uses.binary_search(i).is_err() && !self.trailing.contains(i);
+        (0..page.lines.len()).filter(is_other).map(|i| &page.lines[i])
     }
 
     /// Whether something but level lines goes on below it, or something but straight lines beside it.
     fn stands_on_more(&self, page: &Page) -> bool {
         self.others(page).any(|line| {
             let is_level = line.size().y < 0.2 * line.size().x;
-            let is_around = line.bounds.0.cmplt(self.low).all() && line.bounds.1.cmpgt(self.high).all();
+            let is_around = line.openness < AROUND
+                && line.bounds.0.cmplt(self.low).all()
+                && line.bounds.1.cmpgt(self.high).all();
             let is_beside = line.bounds.1.x < self.low.x || line.bounds.0.x > self.high.x;
             // The edge of a table.
             let is_straight = line.ends().0.distance(line.ends().1) > 0.97 * line.length;
@@ -297,33 +302,55 @@ impl Pot {
 
     /// Whether lines stand in the upper edge, and nothing rests on it that reaches past both sides.
     fn has_plant(&self, page: &Page) -> bool {
-        let (above, below) = (self.low.y - MOUTH.0 * self.size.y, self.low.y + MOUTH.1 * self.size.y);
-        let (mut enters, mut left, mut right) = (false, f32::INFINITY, f32::NEG_INFINITY);
-        for line in self.others(page) {
-            let at_edge =
-                |p: &&Vec2| p.y > self.low.y - 0.2 * self.size.y && p.y < self.low.y + 0.15 * self.size.y;
-            let (l, r) = line
-                .points
-                .iter()
-                .filter(at_edge)
-                .fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), p| (l.min(p.x), r.max(p.x)));
-            let is_level = line.size().y < 0.1 * line.size().x;
-            if l < self.low.x && r > self.high.x && !is_level {
-                return false;
-            }
-            let foot = line.points.iter().copied().reduce(|a, b| if b.y > a.y { b } else { a });
-            let is_in_mouth = |p: Vec2| p.x > self.low.x && p.x < self.high.x && p.y > above && p.y < below;
-            if foot.is_some_and(is_in_mouth) && line.bounds.0.y < self.low.y - PLANT * self.size.y {
-                enters = true;
-                // A leaf that leans over the edge enters where it begins.
-                let at_foot = foot.into_iter().flat_map(|foot| near_foot(line, foot, FOOT * self.size.x));
-                let (l, r) =
-                    at_foot.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
-                (left, right) = (left.min(l), right.max(r));
-            }
+        let rests = if self.has_rim(page) { RESTS.1 } else { RESTS.0 };
+        if self.others(page).any(|line| self.is_covered_by(line, rests)) {
+            return false;
         }
-        enters && right - left < ENTRY * self.size.x
+        let entries: Vec<Entry> = self.others(page).filter_map(|line| self.entry(line)).collect();
+        let left = entries.iter().map(|entry| entry.left).fold(f32::INFINITY, f32::min);
+        let right = entries.iter().map(|entry| entry.right).fold(f32::NEG_INFINITY, f32::max);
+        let is_blade = |entry: &Entry| {
+            let is_narrow = entry.right - entry.left < BLADES.1 * self.size.x;
+            is_narrow && entry.lowest < self.low.y + BLADES.2 * self.size.y
+        };
+        let are_blades = entries.len() >= BLADES.0 && entries.iter().all(is_blade);
+        let is_narrow = right - left < ENTRY * self.size.x;
+        if entries.is_empty() { !self.trailing.is_empty() } else { are_blades || is_narrow }
     }
+
+    /// Whether a line rests on the upper edge and reaches past both sides.
+    fn is_covered_by(&self, line: &Line, rests: f32) -> bool {
+        let at_edge =
+            |p: &&Vec2| p.y > self.low.y - rests * self.size.y && p.y < self.low.y + 0.15 * self.size.y;
+        let (left, right) = ends_of(line.points.iter().filter(at_edge).map(|p| p.x));
+        let is_level = line.size().y < 0.1 * line.size().x;
+        left < self.low.x && right > self.high.x && !is_level
+    }
+
+    /// Where a line that rises from the upper edge enters.
+    fn entry(&self, line: &Line) -> Option<Entry> {
+        let (above, below) = (self.low.y - MOUTH.0 * self.size.y, self.low.y + MOUTH.1 * self.size.y);
+        let foot = line.points.iter().copied().reduce(|a, b| if b.y > a.y { b } else { a })?;
+        let is_in_mouth = foot.x > self.low.x && foot.x < self.high.x && foot.y > above && foot.y < below;
+        let rises = line.bounds.0.y < self.low.y - PLANT * self.size.y;
+        // A leaf that leans over the edge enters where it begins.
+        let (left, right) = ends_of(near_foot(line, foot, FOOT * self.size.x));
+        (is_in_mouth && rises).then_some(Entry { left, right, lowest: line.bounds.1.y })
+    }
+}
+
+/// Where a line enters a pot.
+struct Entry {
+    /// Its ends from left to right there.
+    left: f32,
+    right: f32,
+    /// The height of its lowest point.
+    lowest: f32,
+}
+
+/// The least and the greatest of some.
+fn ends_of(values: impl Iterator<Item = f32>) -> (f32, f32) {
+    values.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)))
 }
 
 #[cfg(test)]

@@ -157,3 +157,79 @@ fn a_hill_is_no_pot() {
     let blade = |x: f32| line(&[(x, -58.0), (x + 4.0, -110.0)]);
     assert!(read(&[hill.collect(), blade(110.0), blade(130.0), blade(150.0)]).is_empty());
 }
+
+/// A vase with a belly: bottom, both sides and mouth.
+fn vase() -> Vec<Vec<Vec2>> {
+    let side = |sign: f32| {
+        line(&[(22.0 * sign, 0.0), (34.0 * sign, -60.0), (18.0 * sign, -110.0), (19.0 * sign, -145.0)])
+    };
+    vec![line(&[(-22.0, 0.0), (22.0, 1.0)]), side(-1.0), side(1.0), line(&[(-19.0, -145.0), (19.0, -144.0)])]
+}
+
+#[test]
+fn a_vase_of_four_lines_may_be_slender_and_hold_stems_beside_its_sides() {
+    let stems = [-12.0, 0.0, 12.0].map(|x| line(&[(x, -140.0), (6.0 * x, -230.0)]));
+    let found = read(&[vase(), stems.to_vec()].concat());
+    assert_eq!(found.first().map(|pot| &pot.uses[..]), Some(&[0, 1, 2, 3][..]));
+    let widest = found[0].solids[0].profile.iter().map(|p| p.x).fold(0.0, f32::max);
+    assert!((widest - 34.0).abs() < 3.0, "{widest}");
+}
+
+#[test]
+fn half_circles_on_a_level_line_are_no_sides() {
+    let arc = |x: f32, sign: f32| {
+        (0..=30)
+            .map(|k| std::f32::consts::PI * k as f32 / 30.0)
+            .map(move |a| Vec2::new(x + 30.0 * sign * a.sin(), -30.0 + 30.0 * a.cos()))
+    };
+    let top = line(&[(-30.0, -62.0), (-10.0, -95.0), (12.0, -95.0), (30.0, -62.0)]);
+    let bush =
+        [line(&[(-40.0, 0.0), (40.0, 0.0)]), arc(-40.0, -1.0).collect(), arc(40.0, 1.0).collect(), top];
+    assert!(read(&bush).is_empty());
+}
+
+#[test]
+fn blades_may_fill_the_mouth_and_fronds_on_a_trunk_hang() {
+    let blade = |x: f32, lean: f32| {
+        line(&[
+            (x, -40.0),
+            (x - 4.0 + lean, -90.0),
+            (x + 2.0 * lean, -120.0),
+            (x + 4.0 + lean, -85.0),
+            (x, -40.0),
+        ])
+    };
+    let blades = [(-23.0, -20.0), (-8.0, -8.0), (8.0, 8.0), (23.0, 20.0)].map(|(x, lean)| blade(x, lean));
+    assert_eq!(read(&[&blades[..], &[body()]].concat()).len(), 1);
+    let frond = |x: f32| line(&[(x, -40.0), (3.0 * x, -60.0), (4.5 * x, -5.0), (3.5 * x, -50.0), (x, -40.0)]);
+    let fronds = [-23.0, -8.0, 8.0, 23.0].map(frond);
+    assert!(read(&[&fronds[..], &[body()]].concat()).is_empty());
+}
+
+#[test]
+fn what_is_wider_than_a_pot_with_a_rim_may_stand_in_it_and_a_bell_is_none() {
+    let ball: Vec<Vec2> = (0..=40)
+        .map(|k| 0.7 + 4.9 * k as f32 / 40.0)
+        .map(|a| Vec2::new(38.0 * -a.sin(), -74.0 + 38.0 * a.cos()))
+        .collect();
+    let rim = line(&[(-28.0, -46.0), (28.0, -46.0), (28.0, -38.0), (-28.0, -38.0), (-28.0, -46.0)]);
+    assert_eq!(read(&[ball.clone(), body(), rim]).first().map(|pot| &pot.uses[..]), Some(&[1, 2][..]));
+    assert!(read(&[ball, body()]).is_empty(), "a crown on a trunk");
+    let bell = line(&[(0.0, -40.0), (-18.0, -28.0), (-22.0, 0.0), (22.0, 0.0), (18.0, -28.0), (0.0, -40.0)]);
+    let pedicel = line(&[(0.0, -60.0), (2.0, -36.0)]);
+    let crook = line(&[(-60.0, 120.0), (-50.0, -20.0), (0.0, -60.0), (60.0, -70.0)]);
+    assert!(read(&[pedicel, crook, bell]).is_empty());
+}
+
+#[test]
+fn stems_that_trail_over_its_edge_are_a_plant_and_fronds_on_a_trunk_are_not() {
+    let stem = |sign: f32| {
+        line(&[(12.0, -40.0), (22.0, -52.0), (40.0, -30.0), (42.0, 60.0)].map(|(x, y)| (sign * x, y)))
+    };
+    let leaf =
+        |x: f32, y: f32| line(&[(x, y), (x + 10.0, y - 8.0), (x + 18.0, y), (x + 8.0, y + 5.0), (x, y)]);
+    let vines = [stem(-1.0), stem(1.0), leaf(42.0, 20.0), leaf(-42.0, 40.0)];
+    assert_eq!(read(&[&vines[..], &[body()]].concat()).first().map(|pot| &pot.uses[..]), Some(&[4][..]));
+    let trunk = line(&[(-18.0, -40.0), (-22.0, 0.0), (22.0, 0.0), (18.0, -40.0)]);
+    assert!(read(&[&vines[..], &[trunk]].concat()).is_empty());
+}

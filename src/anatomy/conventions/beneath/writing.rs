@@ -8,6 +8,7 @@
 
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::{Line, Page};
+use crate::geom::polyline;
 use crate::geom::region::Region;
 use crate::sketch::Reading;
 use glam::Vec2;
@@ -26,6 +27,9 @@ const WIDE: f32 = 2.0;
 const AXIS: f32 = 0.36;
 /// Least share of the length that is level, that is plumb, and that is either.
 const STRAIGHT: (f32, f32, f32) = (0.2, 0.25, 0.62);
+/// How near a line comes to a larger one that it grows from, as a share of its size, the share of a row's lines that do so from which it is
+/// no writing, and the least height of the larger line over its width: words stand on lines.
+const GROWS: (f32, f32, f32) = (0.15, 0.5, 0.2);
 /// Log-odds.
 const SCORE: f32 = 3.0;
 
@@ -82,6 +86,7 @@ impl Row {
             && tallest > EVEN * size.y
             && self.is_of_level_and_plumb_lines(page)
             && !self.is_within_another(page)
+            && !self.grows_from_others(page)
     }
 
     fn is_of_level_and_plumb_lines(&self, page: &Page) -> bool {
@@ -94,6 +99,25 @@ impl Row {
             plumb += if way.x.abs() < AXIS * way.y.abs() { length } else { 0.0 };
         }
         level > STRAIGHT.0 * all && plumb > STRAIGHT.1 * all && level + plumb > STRAIGHT.2 * all
+    }
+
+    /// Whether most of its lines come near larger ones: twigs on their boughs.
+    fn grows_from_others(&self, page: &Page) -> bool {
+        let is_bough = |line: &&Line| {
+            line.size().length() > SMALL * page.diagonal && line.size().y > GROWS.2 * line.size().x
+        };
+        let boughs: Vec<&Line> = page.lines.iter().filter(is_bough).collect();
+        let grows = |line: &Line| {
+            let near = GROWS.0 * line.size().length();
+            let ends = <[Vec2; 2]>::from(line.ends());
+            boughs.iter().any(|bough| {
+                let gap =
+                    |end: &Vec2| polyline::nearest(&bough.points, *end).map_or(f32::INFINITY, |it| it.0);
+                ends.iter().any(|end| gap(end) < near)
+            })
+        };
+        let grown = self.lines.iter().filter(|i| grows(&page.lines[**i])).count();
+        grown as f32 >= GROWS.1 * self.lines.len() as f32
     }
 
     /// Whether a larger line goes around it: what is on a trunk is bark.
@@ -141,6 +165,21 @@ mod tests {
     fn written(beside: Vec<Vec<Vec2>>) -> Vec<Vec<usize>> {
         let found = read_by(propose, &[plant(), beside].concat());
         found.into_iter().map(|it| it.uses.iter().map(|i| i - 2).collect()).collect()
+    }
+
+    #[test]
+    fn twigs_in_a_row_on_their_boughs_are_no_writing() {
+        let bough = |x: f32| line(&[(x, 0.0), (x + 20.0, -120.0)]);
+        let twigs = |x: f32| {
+            [line(&[(x + 10.0, -60.0), (x + 10.0, -85.0)]), line(&[(x + 14.0, -80.0), (x + 34.0, -82.0)])]
+        };
+        let places = [0.0, 40.0, 80.0, 120.0];
+        let boughs = || places.into_iter().map(bough);
+        let all: Vec<Vec<Vec2>> = boughs().chain(places.into_iter().flat_map(twigs)).collect();
+        assert!(read_by(propose, &all).is_empty());
+        let far = |line: Vec<Vec2>| line.into_iter().map(|p| p + Vec2::new(220.0, 0.0)).collect();
+        let apart = boughs().chain(places.into_iter().flat_map(twigs).map(far)).collect::<Vec<_>>();
+        assert_eq!(read_by(propose, &apart).len(), 1, "the same beside them is");
     }
 
     #[test]

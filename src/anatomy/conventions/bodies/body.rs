@@ -5,6 +5,8 @@
 //! belong to it, and so do lines inside, its ribs. How likely it is a body is summed up: how much its limbs are arms, how much
 //! of the outline is drawn, how few notches it has besides those at its arms, how many spines it has.
 //!
+//! A body with arms from which twigs go is no cactus but a bare tree whose boughs were drawn by their outlines.
+//!
 //! Limits: bodies of flat joints one on another are not understood.
 
 use super::body_area::{Body, size_of, with_lines};
@@ -12,8 +14,9 @@ use super::spines::{self, Spines};
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::tufts::grass;
-use crate::anatomy::conventions::{Habit, Hypothesis};
-use crate::sketch::Reading;
+use crate::anatomy::conventions::{Habit, Hypothesis, Made};
+use crate::geom::polyline;
+use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
 /// Smallest body, as a share of the drawing's diagonal.
@@ -30,6 +33,9 @@ const TIP: f32 = 1.2;
 const ROSETTE: (usize, f32, f32) = (3, 0.25, 0.05);
 /// Least log-odds of what may be a body: many things have some of its parts.
 const LEAST: f32 = 2.0;
+/// Least length of a twig, in half widths of the column, how many twigs on a body with arms make it a tree with thick boughs, and least share
+/// of all strokes on it that they are.
+const TWIGS: (f32, usize, f32) = (2.4, 2, 0.6);
 /// More for each line of an outline but the first, up to so many: what a few leaves would be is seldom a body by chance.
 const EACH: (f32, usize) = (0.25, 6);
 
@@ -53,22 +59,42 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if is_grass || evidence::has_blades(&lines, size) || is_rosette(&lines) {
         return None;
     }
-    let found = spines::ways_apart(&lines, size).into_iter().filter_map(|spines| with_spines(&spines, size));
+    let found = spines::ways_apart(&lines, size).into_iter().filter_map(|spines| {
+        let (body, score) = with_spines(&spines, size)?;
+        let twigs = twigs(&spines, &body);
+        Some((body, score, twigs))
+    });
     let best = found.reduce(|best, other| if other.1 > best.1 { other } else { best });
-    let (body, score) = best.filter(|(_, score)| *score > LEAST)?;
+    let (body, score, twigs) = best.filter(|(_, score, _)| *score > LEAST)?;
     if evidence::has_flower_centre(&lines, &body.outline) {
         return None;
     }
     let mut uses = page.with_what_is_inside(&group, &body.outline);
     uses.retain(|line| !flowers.contains(line));
-    Some(Hypothesis {
-        uses,
-        score,
-        parts: body.limbs.branches(),
-        solids: Vec::new(),
-        reading: Reading::Cactus,
-        habit: Some(Habit::Succulent),
-    })
+    let is_tree = body.limbs.arms() > 0 && twigs.len() >= TWIGS.1;
+    let (reading, habit) = match is_tree {
+        true => (Reading::BareTree, Habit::Tree),
+        false => (Reading::Cactus, Habit::Succulent),
+    };
+    let twigs = twigs.into_iter().filter(|_| is_tree).map(|points| Made::new(Tool::Branch, points));
+    let parts = body.limbs.branches().into_iter().chain(twigs).collect();
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit: Some(habit) })
+}
+
+/// The lines that leave a body as twigs do, each from the body outward.
+fn twigs(spines: &Spines, body: &Body) -> Vec<Vec<Vec2>> {
+    let off = |p: Vec2| polyline::nearest(&body.outline, p).map_or(f32::INFINITY, |(gap, _)| gap);
+    let outward = |line: &Line| {
+        let (first, last) = line.ends();
+        let mut points = line.points.clone();
+        if off(first) > off(last) {
+            points.reverse();
+        }
+        points
+    };
+    let twigs = spines.twigs(&body.outline, TWIGS.0 * body.limbs.half());
+    let are_most = twigs.len() as f32 > TWIGS.2 * spines.count() as f32;
+    twigs.into_iter().filter(|_| are_most).map(outward).collect()
 }
 
 /// The body that the outlines enclose, and how likely it is with these spines.

@@ -49,6 +49,8 @@ const OPEN: (f32, f32) = (0.6, 2.2);
 const INSIDE: f32 = 0.95;
 /// Stretch and turn of a sharp tip, how many are too many, and the part of the height, from below, where they do not count.
 const POINTED: ((f32, f32), usize, f32) = ((0.05, 1.5), 3, 0.25);
+/// Stretch and turn of a tip at the top, and how near to the top it is, as a share of the height.
+const SHARP: ((f32, f32), f32) = ((0.06, 1.1), 0.06);
 /// Lowest part of an outline, as a share of its height.
 const LOWEST: f32 = 0.06;
 /// Points of the outline.
@@ -145,6 +147,7 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
     }
     let limbs = Limbs::new(medial_axes(silhouette, root(&outline, foot)?), silhouette.cell())?;
     let form = match limbs.arms() {
+        0 if !spines.are_many() && has_sharp_top(&outline) => return None,
         0 if may_be_column && (is_open(limbs.half()) || spines.are_many()) => SCORE.0,
         0 => return None,
         _ if may_have_arms => limbs.log_odds(),
@@ -162,6 +165,12 @@ fn pointed(outline: &[Vec2]) -> bool {
     let (low, high) = polyline::bounds(outline.iter().copied());
     let is_high = |tip: &&Vec2| high.y - tip.y > POINTED.2 * (high.y - low.y);
     tips(outline, POINTED.0).iter().filter(is_high).count() >= POINTED.1
+}
+
+/// Whether an outline ends in a sharp tip above, as a cypress does and no column.
+fn has_sharp_top(outline: &[Vec2]) -> bool {
+    let (low, high) = polyline::bounds(outline.iter().copied());
+    tips(outline, SHARP.0).iter().any(|tip| tip.y - low.y < SHARP.1 * (high.y - low.y))
 }
 
 /// The middle of the lowest part of an outline, or between the ends of the line where it is open about as wide as that.

@@ -294,3 +294,18 @@ fn a_zigzag_closed_along_the_ground_is_none() {
     let closed: Vec<Vec2> = teeth.chain([Vec2::new(0.0, 3.0)]).collect();
     assert!(read(&[closed]).is_empty());
 }
+
+#[test]
+fn boughs_by_their_outlines_with_twigs_are_a_bare_tree() {
+    let side = |sign: f32| line(&[(12.0 * sign, 90.0), (10.0 * sign, 0.0), (70.0 * sign, -80.0)]);
+    let crotch = line(&[(-66.0, -92.0), (0.0, -16.0), (66.0, -92.0)]);
+    let twig = |x: f32, to: (f32, f32)| line(&[(x, -70.0), to]);
+    let twigs =
+        [twig(-55.0, (-100.0, -60.0)), twig(55.0, (100.0, -60.0)), line(&[(-30.0, -52.0), (-25.0, -100.0)])];
+    let found = read(&[&[side(-1.0), side(1.0), crotch], &twigs[..]].concat());
+    let tree = found.iter().find(|body| body.reading == Reading::BareTree).expect("a tree");
+    assert!(tree.parts.len() >= 4 && tree.parts.iter().all(|part| part.tool == Tool::Branch));
+    assert_eq!(tree.habit, Some(Habit::Tree));
+    let saguaro = read(&[saguaro()]);
+    assert_eq!(saguaro[0].reading, Reading::Cactus);
+}

@@ -29,6 +29,8 @@ const LOBES: usize = 4;
 const STALK: f32 = 0.08;
 /// Least width of a cap, as a share of the whole.
 const WHOLE: f32 = 0.85;
+/// Least width of a hole in a trunk, in half widths of that.
+const HOLLOW: f32 = 0.4;
 /// Least hull of a scribble, as a share of the whole's bounds.
 const SCRIBBLE: f32 = 0.1;
 /// How wide gaps of the outline are closed, in cells of the silhouette.
@@ -101,6 +103,7 @@ fn of_lines(lines: &[&Line]) -> Option<Found> {
     };
     let wide = cap.width() / cap.height();
     let is_cap = trunk.is_sharp
+        && !lines.iter().any(|line| is_hollow(line, &trunk))
         && !notches(&outline).iter().any(is_free)
         && above.iter().all(|line| notches(line).len() < LOBES)
         && cap.width() > WHOLE * (bounds.1 - bounds.0)
@@ -116,6 +119,14 @@ fn of_lines(lines: &[&Line]) -> Option<Found> {
 /// A cap of this outline on a stalk, as one branch.
 pub(crate) fn on_stalk(stalk: &Trunk, outline: &[Vec2]) -> Option<Made> {
     Some(whole(stalk, &Cap::new(outline)?))
+}
+
+/// Whether a line is a hole in a trunk: a ring on the stalk, below the cap.
+fn is_hollow(line: &Line, trunk: &Trunk) -> bool {
+    line.is_closed_and_solid()
+        && line.bounds.0.y > trunk.top
+        && line.size().x > HOLLOW * trunk.narrow
+        && (line.middle().x - trunk.axis()).abs() < trunk.narrow
 }
 
 /// A cap by the ends of its rows.

@@ -54,7 +54,26 @@ pub(super) fn ways_apart<'a>(lines: &[&'a Line], size: Vec2) -> Vec<Spines<'a>> 
 impl Spines<'_> {
     /// Whether there are so many that they speak for a body by themselves.
     pub(super) fn are_many(&self) -> bool {
-        self.short.len() + self.long.len() >= MANY
+        self.count() >= MANY
+    }
+
+    /// Those that are longer than a width and lie for the most part outside of an outline from which they begin: twigs.
+    pub(super) fn twigs(&self, outline: &[Vec2], width: f32) -> Vec<&Line> {
+        let region = Region::new(outline.to_vec());
+        let is_twig = |line: &&Line| {
+            let outside = line.points.iter().filter(|p| !region.contains(**p)).count();
+            let begins_there = [line.ends().0, line.ends().1].into_iter().any(|end| {
+                region.contains(end)
+                    || polyline::nearest(outline, end).is_some_and(|it| it.0 < AT * line.length)
+            });
+            line.length > width && 5 * outside > 3 * line.points.len() && begins_there
+        };
+        self.short.iter().chain(&self.long).copied().filter(is_twig).collect()
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.short.len() + self.long.len()
     }
 
     /// What the spines add to the log-odds of a body; none where long strokes are not its spines.

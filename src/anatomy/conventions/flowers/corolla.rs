@@ -96,6 +96,9 @@ const RING_LOBES: usize = 5;
 /// share of its width.
 const TRUNK: (f32, f32, f32) = (0.25, 0.08, 0.12);
 
+/// Least chord of a line through a corolla over its length, and how far its ends are from the centre, in reaches of the petals.
+const THROUGH: (f32, f32) = (0.85, 1.1);
+
 /// Points of a centre's outline.
 const RING: usize = 90;
 
@@ -149,6 +152,10 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
         return None;
     }
     let reach = petals.iter().map(|stretch| focus.reach(stretch)).sum::<f32>() / petals.len().max(1) as f32;
+    let is_petal = |i: &usize| petal_lines.iter().any(|(petal, _)| petal == i);
+    if others().filter(|i| !is_petal(i)).any(|i| goes_through(&page.lines[i], &focus, reach)) {
+        return None;
+    }
     if disc.openness >= OPEN && reach < SCRIBBLED {
         return None;
     }
@@ -227,6 +234,16 @@ fn is_ring(line: &Line, focus: &Focus) -> bool {
         && off.max_element() < RING_OFF
         && winding(&line.points, focus.place) > RING_TURNS * TAU
         && lobes::cut(&line.points, focus, true).len() >= RING_LOBES
+}
+
+/// Whether a line is nearly straight, passes a centre and goes on beyond the petals on either side: a twig with leaves has no corolla.
+fn goes_through(line: &Line, focus: &Focus, reach: f32) -> bool {
+    let (first, last) = line.ends();
+    let nearest = line.points.iter().map(|p| focus.distance(*p)).fold(f32::INFINITY, f32::min);
+    nearest < REACH.0
+        && first.distance(last) > THROUGH.0 * line.length
+        && focus.distance(first).min(focus.distance(last)) > THROUGH.1 * reach
+        && (first - focus.place).dot(last - focus.place) < 0.0
 }
 
 /// Whether a ring far around a centre has the two sides of a trunk below, or something as wide.

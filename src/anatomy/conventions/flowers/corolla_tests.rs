@@ -152,3 +152,20 @@ fn petals_that_were_not_drawn_to_their_end_and_few_far_apart_are_petals() {
     let found = read(&three.chain([circle(12.0)]).collect::<Vec<_>>());
     assert_eq!(found.first().map(|flower| flower.uses.len()), Some(4));
 }
+
+#[test]
+fn leaves_on_a_line_that_goes_on_are_no_corolla() {
+    let around = |k: usize| {
+        let angle = std::f32::consts::TAU * k as f32 / 6.0;
+        let middle = 40.0 * Vec2::from_angle(angle);
+        (0..=40).map(|i| middle + 16.0 * Vec2::from_angle(angle + 0.157 * i as f32)).collect::<Vec<_>>()
+    };
+    let disc: Vec<Vec2> = (0..=40).map(|i| 14.0 * Vec2::from_angle(0.157 * i as f32)).collect();
+    let flower: Vec<Vec<Vec2>> = [disc].into_iter().chain((0..6).map(around)).collect();
+    assert_eq!(crate::anatomy::conventions::read_by(propose, &flower).len(), 1);
+    let stem = |top: f32| vec![Vec2::new(2.0, 200.0), Vec2::new(-2.0, top)];
+    let with =
+        |top: f32| crate::anatomy::conventions::read_by(propose, &[flower.clone(), vec![stem(top)]].concat());
+    assert_eq!(with(60.0).len(), 1, "a stem that ends at it");
+    assert!(with(-120.0).is_empty());
+}

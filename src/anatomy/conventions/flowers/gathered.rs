@@ -4,7 +4,7 @@
 //! lines near a place where lines begin or end are cut there ([`lobes`](super::lobes)); what leaves that place, encloses
 //! enough and comes back is a petal. Petals all around the place, of about one size and side by side, are a flower; three are
 //! enough where a stem ends there. What lies between their feet, a dot or a scribble, is the centre's ornament. A stem in one
-//! stroke with petals is cut off.
+//! stroke with petals is cut off, and so are the leaves that are loops in it.
 //!
 //! Petals that are single strokes, closed at their foot, as in the papers, are left to the classifier. Lines that rise from the
 //! place say that leaves gather at a stem's foot.
@@ -15,6 +15,7 @@
 use super::corolla::widest_gap;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
+use crate::anatomy::conventions::shapes::loops::taken_apart;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
@@ -45,6 +46,8 @@ const STEM: (f32, f32) = (0.6, 0.85);
 const WITHIN: f32 = 0.45;
 /// What each further line of petals speaks for a flower: as much as for a leaf by itself.
 const EACH: f32 = 2.2;
+/// Least share of the points of what follows petals that a leaf in it has.
+const LEAF: f32 = 0.1;
 /// Least part of a line that must be petals and stem.
 const MOSTLY: f32 = 0.7;
 
@@ -100,11 +103,13 @@ struct Petals {
     petals: Vec<Petal>,
     /// Stems that are one stroke with petals.
     stems: Vec<Vec<Vec2>>,
+    /// Leaves along such stems.
+    leaves: Vec<Vec<Vec2>>,
 }
 
 impl Petals {
     fn at(page: &Page, group: &[usize], place: Vec2) -> Self {
-        let mut it = Self { place, petals: Vec::new(), stems: Vec::new() };
+        let mut it = Self { place, petals: Vec::new(), stems: Vec::new(), leaves: Vec::new() };
         group.iter().for_each(|line| it.cut(*line, &page.lines[*line]));
         it
     }
@@ -125,14 +130,22 @@ impl Petals {
         let (petals, rest): (Vec<_>, Vec<_>) =
             stretches.into_iter().partition(|points| is_petal(points, &focus, reach));
         let is_stem = |points: &Vec<Vec2>| is_stem(points, self.place, reach);
-        let stems: Vec<Vec<Vec2>> = rest.into_iter().filter(is_stem).collect();
-        let length: f32 = petals.iter().chain(&stems).map(|points| polyline::length(points)).sum();
+        let mut stems: Vec<Vec<Vec2>> = rest.into_iter().filter(is_stem).collect();
+        let mut leaves = Vec::new();
+        if stems.is_empty()
+            && let Some((way, loops)) = leafy_tail(line, &petals).filter(|(way, _)| is_stem(way))
+        {
+            (stems, leaves) = (vec![way], loops);
+        }
+        let parts = petals.iter().chain(&stems).chain(&leaves);
+        let length: f32 = parts.map(|points| polyline::length(points)).sum();
         // A line may wind on in the centre.
         let at_centre = line.points.windows(2).filter(|p| focus.distance(p[0]) < 0.25 * reach);
         let wound: f32 = at_centre.map(|p| p[0].distance(p[1])).sum();
         if !petals.is_empty() && length + wound > MOSTLY * line.length && stems.len() < 2 {
             self.petals.extend(petals.into_iter().map(|points| Petal { line: number, points }));
             self.stems.extend(stems);
+            self.leaves.extend(leaves);
         }
     }
 
@@ -153,6 +166,9 @@ impl Petals {
         {
             return None;
         }
+        if self.leaves_petals_out(page, others(), reach) {
+            return None;
+        }
         let is_of_papers = |petal: &&Petal| {
             let (first, last) = (petal.points[0], petal.points[petal.points.len() - 1]);
             let is_closed = first.distance(last) < CLOSED * focus.reach(&petal.points);
@@ -168,10 +184,29 @@ impl Petals {
         let petals =
             outlines.iter().map(|points| Made::new(Tool::Petal, lobes::rooted(points, root(points))));
         let own_stems = self.stems.iter().map(|points| Made::new(Tool::Branch, points.iter().copied()));
-        let parts = petals.chain(own_stems).collect();
+        let own_leaves =
+            self.leaves.iter().map(|points| Made::new(Tool::Leaf, lobes::rooted(points, points[0])));
+        let parts = petals.chain(own_stems).chain(own_leaves).collect();
         let score = 4.2 + 0.1 * outlines.len().min(8) as f32 + EACH * (lines.len() - 1) as f32;
         let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
         Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+    }
+}
+
+impl Petals {
+    /// Whether more than half as many lines again, about as long as its petals' and open or closed as they are, begin and end near the place.
+    fn leaves_petals_out(&self, page: &Page, others: impl Iterator<Item = usize>, reach: f32) -> bool {
+        let mean = self.petals.iter().map(|petal| page.lines[petal.line].length).sum::<f32>()
+            / self.petals.len().max(1) as f32;
+        let is_like_them = |line: &Line| {
+            let (first, last) = line.ends();
+            let turns_back = first.distance(last) < FOOT * line.length;
+            let is_near = first.distance(self.place).max(last.distance(self.place)) < reach;
+            let is_as_long = (0.5 * mean..2.0 * mean).contains(&line.length);
+            turns_back && is_near && is_as_long
+        };
+        let left = others.filter(|i| is_like_them(&page.lines[*i])).count();
+        2 * left > self.petals.len()
     }
 }
 
@@ -186,6 +221,16 @@ fn is_petal(points: &[Vec2], focus: &Focus, farthest: f32) -> bool {
         && first.distance(last) < FOOT * reach
         && area > FAT * length * length
         && area > SOLID * simple_loop::area(&convex_hull(points, |p| *p))
+}
+
+/// What a line goes on to after its petals, or from which it comes, with the loops in it taken out: a stem with its leaves.
+fn leafy_tail(line: &Line, petals: &[Vec<Vec2>]) -> Option<(Vec<Vec2>, Vec<Vec<Vec2>>)> {
+    let (first, last) = (petals.first()?.first()?, petals.last()?.last()?);
+    let begin = line.points.iter().position(|p| p == first)?;
+    let end = line.points.iter().rposition(|p| p == last)?;
+    let tail = if begin > line.points.len() - end { &line.points[..=begin] } else { &line.points[end..] };
+    let (loops, way) = taken_apart(&line.part(tail.to_vec())?, LEAF);
+    (!loops.is_empty()).then_some((way, loops))
 }
 
 /// Whether a line is nearly straight, goes away from a place, and is long beside this reach.
@@ -268,6 +313,19 @@ mod tests {
         assert_eq!(counts(&read(&[most.clone(), drawn[4].clone()])), [(5, 0)]);
         most.extend(stem(5.0, 300.0));
         assert_eq!(counts(&read(&[most, drawn[4].clone()])), [(5, 1)], "a stem in the same stroke");
+    }
+
+    #[test]
+    fn a_leaf_in_the_stem_of_the_same_stroke_stays_a_leaf() {
+        let mut drawn = petals(5, 6.0).concat();
+        let leaf = [(2.0, 180.0), (30.0, 150.0), (70.0, 140.0), (45.0, 175.0), (4.0, 186.0), (3.0, 300.0)];
+        drawn.extend(crate::anatomy::conventions::page::even(
+            &[&[Vec2::new(0.0, 5.0)], &leaf.map(Vec2::from)[..]].concat(),
+            120,
+        ));
+        let found = crate::anatomy::conventions::read_as_drawn(propose, &[drawn]);
+        let of = |tool: Tool| found[0].parts.iter().filter(|part| part.tool == tool).count();
+        assert_eq!((of(Tool::Petal), of(Tool::Branch), of(Tool::Leaf)), (5, 1, 1));
     }
 
     #[test]

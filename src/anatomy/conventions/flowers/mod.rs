@@ -2,6 +2,7 @@
 //!
 //! | file | what |
 //! | --- | --- |
+//! | `bell` | an outline that hangs from the end of a stem or pedicel |
 //! | `bud` | a head without drawn petals on a stem: round, or a cup with few teeth |
 //! | `corolla` | a corolla around a flower's centre |
 //! | `corolla_on_stem` | a lobed outline at the end of a stem, without a centre |
@@ -13,6 +14,7 @@
 //! | `row` | heads of any kind on stems side by side |
 //! | `upright` | stems side by side, and what is drawn at their upper ends |
 
+pub(crate) mod bell;
 pub(crate) mod bud;
 pub(crate) mod corolla;
 pub(crate) mod corolla_on_stem;

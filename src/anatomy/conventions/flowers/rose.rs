@@ -2,7 +2,7 @@
 //!
 //! A spiral winds at least [`TURNS`] around its inner end, always in one direction, and ends farther out than it began. A disc is
 //! a round closed line with at least [`ARCS`] lines within that bend around its middle as the edges of petals do, none straight as
-//! veins are. One stem line carries either, and nothing else comes near. What a hand only hints at is drawn in full: broad
+//! veins are. One stem line carries either, or both sides of a stem, and nothing else comes near. What a hand only hints at is drawn in full: broad
 //! petals in three rings ([`RINGS`]) that fill the head and overlap.
 //!
 //! Limits: stem and spiral in one stroke are the curled tip of a fern as well, and are left to the classifier.
@@ -39,6 +39,8 @@ const SIDE: usize = 16;
 /// Fewest lines of a head of several, and most of a group; smallest and largest ring in it, as a share of its size.
 const SEVERAL: (usize, usize) = (3, 16);
 const RING: (f32, f32) = (0.12, 0.55);
+/// The largest spiral in it.
+const SPIRAL: f32 = 0.8;
 /// Least share of its hull that such a head fills, and of what is drawn that lies in it.
 const FULL: (f32, f32) = (0.86, 0.95);
 /// How near its stem ends, and how far away that begins at least, as shares of its size; upper part of the stem by which it stands.
@@ -47,6 +49,9 @@ const LOWER: f32 = 0.75;
 /// How wide gaps are closed, in cells of the silhouette, and points of the outline.
 const BRIDGE: i32 = 12;
 const POINTS: usize = 120;
+/// Of a stem by its two sides: how far apart they come to the head, as a share of its width, and the least length of one, as a share of the
+/// other's.
+const SIDES: (f32, f32) = (0.35, 0.7);
 /// Log-odds of a rose.
 const SCORE: f32 = 4.2;
 
@@ -94,7 +99,8 @@ fn of_several(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
     let size = (high - low).max_element();
     let is_ring = |line: &&Line| {
         let share = line.size().max_element() / size;
-        line.is_closed_and_solid() && (RING.0..RING.1).contains(&share)
+        let is_closed = line.is_closed_and_solid() && share < RING.1;
+        share > RING.0 && (is_closed || share < SPIRAL && is_spiral(line))
     };
     if head.len() < SEVERAL.0 || lines.iter().filter(|line| is_ring(line)).count() != 1 {
         return None;
@@ -130,7 +136,8 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
         line.bounds.0.cmpge(head.bounds.0).all() && line.bounds.1.cmple(head.bounds.1).all()
     };
     let is_edge = |i: &usize| turning(&page.lines[*i].points).1 > BENDS;
-    let is_alone = stems.len() == 1 && within.iter().all(|i| is_inside(i) && is_edge(i));
+    let has_stem = stems.len() == 1 || are_sides(page, &stems, head);
+    let is_alone = has_stem && within.iter().all(|i| is_inside(i) && is_edge(i));
     let is_rose = is_spiral(head) || within.len() >= ARCS;
     if !is_alone || !is_rose {
         return None;
@@ -146,6 +153,15 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
         reading,
         habit,
     })
+}
+
+/// Whether two stems are the sides of one: they come to the head side by side and are about as long.
+fn are_sides(page: &Page, stems: &[usize], head: &Line) -> bool {
+    let [a, b] = stems else { return false };
+    let (a, b) = (&page.lines[*a], &page.lines[*b]);
+    let tops = stem_top(a, head).zip(stem_top(b, head));
+    let is_near = tops.is_some_and(|(a, b)| a.distance(b) < SIDES.0 * head.size().x);
+    is_near && a.length.min(b.length) > SIDES.1 * a.length.max(b.length)
 }
 
 /// Whether a line winds outward around one of its ends, always in one direction.
@@ -218,6 +234,19 @@ mod tests {
 
     fn stem() -> Vec<Vec2> {
         vec![Vec2::new(4.0, 220.0), Vec2::new(0.0, 52.0)]
+    }
+
+    #[test]
+    fn a_spiral_on_both_sides_of_a_stem_is_a_rose() {
+        let place = |k: usize| {
+            let angle = 0.157 * k as f32;
+            0.4 * angle * 3.0 * Vec2::from_angle(angle)
+        };
+        let spiral: Vec<Vec2> = (0..=140).map(place).collect();
+        let side = |x: f32| vec![Vec2::new(x, 150.0), Vec2::new(x, 26.0)];
+        let found = read(&[spiral.clone(), side(-4.0), side(5.0)]);
+        assert_eq!(found.first().map(|rose| &rose.uses[..]), Some(&[0][..]));
+        assert!(read(&[spiral, side(-24.0), side(24.0)]).is_empty(), "two stems");
     }
 
     #[test]

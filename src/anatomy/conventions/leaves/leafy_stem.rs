@@ -1,6 +1,6 @@
 //! A twig: leaves, each an outline of its own, along a line.
 //!
-//! An outline is a leaf of a line if it comes near it at one place, its root, and lies on one side of it or beyond its end. Three at
+//! An outline is a leaf of a line if it comes near it at one place, its root, or along one edge, and lies on one side of it or beyond its end. Three at
 //! least, whose roots are spread along the line, make a twig; several at its end are the petals of a flower and stay out of it.
 //!
 //! Limits: leaves with stalks of their own, leaves on side twigs.
@@ -18,17 +18,23 @@ const STRAIGHT: f32 = 0.75;
 const LARGE: f32 = 0.7;
 const AT: f32 = 0.12;
 const AWAY: f32 = 0.4;
-/// Least share of a leaf that lies on one side of its twig.
-const ONE_SIDE: f32 = 0.88;
+/// How much of a twig on either side of a leaf's root gives its direction there: a hand trembles.
+const AROUND: f32 = 0.05;
+/// How much farther than its nearest point a leaf's points are that lie on the twig, as a share of its size.
+const TOUCH: f32 = 0.1;
+/// Least share of the rest of a leaf that lies on one side of its twig.
+const ONE_SIDE: f32 = 0.75;
 /// Share of a twig from which its end begins.
 const END: f32 = 0.92;
+/// Most at its end that are no petals, where so many others are along it: an ear.
+const EAR: (usize, usize) = (3, 5);
 /// Fewest leaves, most, and how far apart the outer roots are at least, as a share of the twig.
 const LEAVES: (usize, usize) = (3, 60);
 const SPREAD: f32 = 0.3;
 /// Least share of what is drawn that the twig is: leaves on the stem of something else are read one by one.
 const EXPLAINED: f32 = 0.85;
 /// Log-odds, and more for each leaf up to so many.
-const SCORE: (f32, f32, usize) = (4.2, 0.15, 8);
+const SCORE: (f32, f32, usize) = (4.0, 0.25, 12);
 
 /// Proposes a twig for each line with leaves.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -63,7 +69,9 @@ fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
         .filter(|i| **i != number)
         .filter_map(|i| Leaf::new(*i, &page.lines[*i], &way, twig.length))
         .collect();
-    if leaves.iter().filter(|leaf| leaf.share > END).count() > 1 {
+    let at_end = leaves.iter().filter(|leaf| leaf.share > END).count();
+    let is_ear = at_end <= EAR.0 && leaves.len() - at_end >= EAR.1;
+    if at_end > 1 && !is_ear {
         leaves.retain(|leaf| leaf.share <= END);
     }
     let shares = leaves.iter().map(|leaf| leaf.share);
@@ -98,18 +106,29 @@ impl Leaf {
         if !line.is_closed_and_solid() || line.is_scribble() || size > LARGE * length {
             return None;
         }
-        let off = |p: Vec2| polyline::nearest(way, p).map_or(f32::INFINITY, |(gap, _)| gap);
-        let gaps: Vec<f32> = line.points.iter().map(|p| off(*p)).collect();
-        let root = (0..gaps.len()).min_by(|a, b| gaps[*a].total_cmp(&gaps[*b]))?;
-        let far = gaps.iter().copied().fold(0.0, f32::max);
+        let off = |p: Vec2| polyline::nearest(way, p).unwrap_or((f32::INFINITY, 0.0));
+        let places: Vec<(f32, f32)> = line.points.iter().map(|p| off(*p)).collect();
+        let nearest = places.iter().map(|place| place.0).fold(f32::INFINITY, f32::min);
+        let far = places.iter().map(|place| place.0).fold(0.0, f32::max);
+        // Where an edge lies along the twig, the root is its lower end.
+        let touches = |i: &usize| places[*i].0 <= nearest + TOUCH * size;
+        let root = (0..places.len()).filter(touches).min_by(|a, b| places[*a].1.total_cmp(&places[*b].1))?;
         let at = lobes::nearest(way, line.points[root]);
         let share = polyline::length(&way[..=at]) / length;
-        let along = way[(at + 1).min(way.len() - 1)] - way[at.saturating_sub(1)];
-        let left = line.points.iter().filter(|p| along.perp_dot(**p - way[at]) > 0.0).count();
-        let sided = left.max(line.points.len() - left) as f32 / line.points.len() as f32;
+        let reach = (AROUND * way.len() as f32).ceil() as usize;
+        let along = way[(at + reach).min(way.len() - 1)] - way[at.saturating_sub(reach)];
+        let aside: Vec<Vec2> = line
+            .points
+            .iter()
+            .zip(&places)
+            .filter(|(_, place)| place.0 > nearest + TOUCH * size)
+            .map(|(p, _)| *p)
+            .collect();
+        let left = aside.iter().filter(|p| along.perp_dot(**p - way[at]) > 0.0).count();
+        let sided = left.max(aside.len() - left) as f32 / aside.len().max(1) as f32;
         let is_aside = sided > ONE_SIDE && far > AWAY * size || share > END;
         let ring = || lobes::around_from(&line.points, root);
-        (gaps[root] < AT * size && is_aside).then(|| Self { line: number, ring: ring(), share })
+        (nearest < AT * size && is_aside).then(|| Self { line: number, ring: ring(), share })
     }
 }
 
@@ -153,6 +172,22 @@ mod tests {
         for (part, leaf) in twig.parts[1..].iter().zip(&leaves) {
             assert!(part.tool == Tool::Leaf && part.points[0].position.distance(leaf[0]) < 8.0);
         }
+    }
+
+    #[test]
+    fn grains_whose_edge_is_the_stem_are_its_leaves_and_begin_at_their_lower_ends() {
+        let grain = |y: f32, sign: f32| {
+            let corners = [(0.0, y), (22.0, y - 14.0), (24.0, y - 40.0), (6.0, y - 22.0), (-1.0, y - 4.0)];
+            line(&corners.map(|(x, y)| (sign * x, y)).into_iter().chain([(0.0, y)]).collect::<Vec<_>>())
+        };
+        let shaken = |k: i32| Vec2::new(1.5 * (1.3 * k as f32).sin(), -4.0 * k as f32);
+        let stem: Vec<Vec2> = (0..=50).map(shaken).collect();
+        let grains = [-100.0, -135.0, -170.0].iter().flat_map(|y| [grain(*y, 1.0), grain(*y, -1.0)]);
+        let found = read(&[stem].into_iter().chain(grains).collect::<Vec<_>>());
+        let [ear] = &found[..] else { panic!("{} ears", found.len()) };
+        assert_eq!(ear.uses.len(), 7);
+        let lowest = |part: &Made| part.points.iter().map(|p| p.position.y).fold(f32::NEG_INFINITY, f32::max);
+        assert!(ear.parts[1..].iter().all(|part| lowest(part) - part.points[0].position.y < 6.0));
     }
 
     #[test]

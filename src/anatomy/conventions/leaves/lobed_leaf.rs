@@ -4,9 +4,9 @@
 //! the stalk on both sides and opposite of it, and none points toward the stalk. What tells it from a crown of fronds: the stalk is no
 //! longer than the leaf. Lines inside are veins. Lobes that are round, as an oak's, are those of a leaf where the stalk runs on through it
 //! nearly to its end as its midrib, has notches on both sides, and the leaf is longer than wide: no stem goes on so far into a flower, and
-//! no trunk into a crown.
+//! no trunk into a crown. Without a midrib it must be longer still, and taper toward the stalk, as no crown does.
 //!
-//! Limits: round lobes without a midrib; a leaf without a stalk.
+//! Limits: a leaf without a stalk.
 
 use crate::anatomy::conventions::page::{Line, Page, even, notches, tips};
 use crate::anatomy::conventions::shapes::stem_tail;
@@ -26,9 +26,11 @@ const LOBES: (usize, usize) = (3, 11);
 const NOTCHES: usize = 2;
 /// Shortest line that goes round lobes, in diagonals of its bounds: stems are shorter.
 const LONG: f32 = 1.8;
-/// Largest opening of the outline, and least and most of its hull that it fills.
+/// Largest opening of the outline, least of its hull that it fills, and most of it with pointed lobes, with round ones along a midrib and
+/// without one.
 const OPEN: f32 = 0.2;
-const SOLID: (f32, f32) = (0.35, 0.85);
+const SOLID: f32 = 0.35;
+const FULL: (f32, f32, f32) = (0.85, 0.93, 0.89);
 /// Least distance of a lobe's tip from the middle, as a share of the farthest's.
 const FAR: f32 = 0.5;
 /// Least angle between a lobe and the stalk about the stalk's end, and most between one of them and the stalk's opposite, radians; least distance
@@ -44,9 +46,16 @@ const STRAIGHT: f32 = 0.8;
 /// Log-odds of such a leaf, and more for each lobe, up to so many.
 const SCORE: f32 = 4.4;
 const EACH: (f32, usize) = (0.2, 5);
+/// Fewest lines inside that are its veins, and log-odds of them: leaflets have none across their feet.
+const VEINS: (usize, f32) = (2, 0.8);
 /// Of round lobes: fewest notches, and of each side of the midrib; least length of the midrib, as a share of the leaf's, and least length of the
-/// leaf over its width; log-odds.
-const ROUND: (usize, usize, f32, f32, f32) = (4, 2, 0.68, 1.15, 6.0);
+/// leaf over its width; log-odds; how far into a leaf without a midrib its stalk goes at most, as a share of its length.
+const ROUND: (usize, usize, f32, f32, f32, f32) = (4, 2, 0.68, 1.15, 6.0, 0.15);
+/// Most of its hull that a leaf with deep round lobes fills, and least length over its width then.
+const DEEP: (f32, f32) = (0.8, 0.8);
+/// Of round lobes without a midrib: least length of the leaf over its width, where along it its width is measured and the most of its
+/// greatest width there, and log-odds: a crown has a broad foot.
+const TAPERED: (f32, f32, f32, f32) = (1.3, 0.05, 0.42, 6.0);
 /// Most lines that are looked at near one outline.
 const MOST_LINES: usize = 32;
 
@@ -89,7 +98,7 @@ impl<'a> Blade<'a> {
     }
 
     fn of_outline(number: usize, line: Cow<'a, Line>, stalk: Option<Vec<Vec2>>) -> Option<Self> {
-        if line.is_scribble() || !(SOLID.0..SOLID.1).contains(&line.solidity()) {
+        if line.is_scribble() || line.solidity() < SOLID {
             return None;
         }
         let mut closed = line.points.clone();
@@ -106,29 +115,48 @@ impl<'a> Blade<'a> {
     }
 
     fn has_pointed_lobes(&self) -> bool {
-        (LOBES.0..=LOBES.1).contains(&self.tips.len()) && self.notches.len() >= NOTCHES
+        (LOBES.0..=LOBES.1).contains(&self.tips.len())
+            && self.notches.len() >= NOTCHES
+            && self.line.solidity() < FULL.0
     }
 
     /// Whether a midrib from the end of the stalk, along one of these lines, makes a leaf of round lobes.
-    fn has_midrib<'l>(&self, (base, foot): (Vec2, Vec2), mut lines: impl Iterator<Item = &'l Line>) -> bool {
-        let Some(way) = (base - foot).try_normalize() else { return false };
-        let along = |p: Vec2| (p - base).dot(way);
-        let across = |p: Vec2| way.perp_dot(p - base);
-        let most = |of: &dyn Fn(Vec2) -> f32| self.ring.iter().map(|p| of(*p)).fold(0.0, f32::max);
-        let length = most(&along);
-        let width = most(&across) + most(&|p| -across(p));
+    fn has_midrib<'l>(&self, along: &Along, mut lines: impl Iterator<Item = &'l Line>) -> bool {
         let is_midrib = |line: &Line| {
             let (first, last) = line.ends();
-            let end = along(first).max(along(last));
+            let end = along.height(first).max(along.height(last));
             let runs_along = first.distance(last) > STRAIGHT * line.length
-                && (last - first).normalize_or_zero().dot(way).abs() > STRAIGHT;
-            runs_along && along(first).min(along(last)) < 0.2 * length && end > ROUND.2 * length
+                && (last - first).normalize_or_zero().dot(along.way).abs() > STRAIGHT;
+            runs_along
+                && along.height(first).min(along.height(last)) < 0.2 * along.length
+                && end > ROUND.2 * along.length
         };
-        let of_side = |sense: f32| self.notches.iter().filter(|notch| sense * across(**notch) > 0.0).count();
-        length > ROUND.3 * width
-            && self.notches.len() >= ROUND.0
-            && of_side(1.0).min(of_side(-1.0)) >= ROUND.1
+        // No crown has lobes so deep.
+        let longer = if self.line.solidity() < DEEP.0 { DEEP.1 } else { ROUND.3 };
+        along.length > longer * along.width()
+            && self.line.solidity() < FULL.1
+            && self.has_notches_beside(along)
             && lines.any(is_midrib)
+    }
+
+    /// Whether a leaf without a midrib has round lobes on both sides and tapers toward its stalk.
+    fn is_tapered(&self, along: &Along) -> bool {
+        let cut = TAPERED.1 * along.length;
+        let next = self.ring.iter().cycle().skip(1);
+        let pairs = self.ring.iter().zip(next).map(|(a, b)| (*a, *b));
+        let crossings = pairs.filter(|(a, b)| (along.height(*a) < cut) != (along.height(*b) < cut));
+        let across = crossings.map(|(a, _)| along.across(a));
+        let (left, right) = across.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
+        along.length > TAPERED.0 * along.width()
+            && self.line.solidity() < FULL.2
+            && self.has_notches_beside(along)
+            && right - left < TAPERED.2 * along.width()
+    }
+
+    fn has_notches_beside(&self, along: &Along) -> bool {
+        let of_side =
+            |sense: f32| self.notches.iter().filter(|notch| sense * along.across(**notch) > 0.0).count();
+        self.notches.len() >= ROUND.0 && of_side(1.0).min(of_side(-1.0)) >= ROUND.1
     }
 
     /// The leaf with its stalk, if one of the lines that are near, or the rest of its own, is that and no other speaks against it.
@@ -147,9 +175,15 @@ impl<'a> Blade<'a> {
         };
         let (base, foot) = (stalk[stalk.len() - 1], stalk[0]);
         let ribs = inside.iter().copied().chain(of_line).map(|i| &page.lines[i]);
-        let is_round = self.has_midrib((base, foot), ribs);
+        let along = Along::new(&self.ring, (base, foot))?;
+        let is_round = self.has_midrib(&along, ribs);
+        let ends_there = |line: usize| {
+            let (first, last) = page.lines[line].ends();
+            along.height(first).max(along.height(last)) < ROUND.5 * along.length
+        };
+        let is_tapered = inside.is_empty() && of_line.is_none_or(ends_there) && self.is_tapered(&along);
         let is_pointed = self.has_pointed_lobes() && self.stands_about(base, foot);
-        if others.len() > MOST_LINES || !(is_pointed || is_round) {
+        if others.len() > MOST_LINES || !(is_pointed || is_round || is_tapered) {
             return None;
         }
         let from = (0..POINTS).min_by(|a, b| {
@@ -159,10 +193,15 @@ impl<'a> Blade<'a> {
         ring.rotate_left(from);
         ring.push(ring[0]);
         let parts = vec![Made::new(Tool::Leaf, ring), Made::new(Tool::Branch, stalk)];
+        let veins = if inside.len() >= VEINS.0 { VEINS.1 } else { 0.0 };
         let mut uses: Vec<usize> = inside.into_iter().chain(of_line).chain([self.number]).collect();
         uses.sort_unstable();
-        let of_lobes = SCORE + EACH.0 * self.tips.len().min(EACH.1) as f32;
-        let score = if is_round { ROUND.4 } else { of_lobes };
+        let of_lobes = SCORE + EACH.0 * self.tips.len().min(EACH.1) as f32 + veins;
+        let score = match (is_round, is_tapered) {
+            (true, _) => ROUND.4,
+            (_, true) => of_lobes.max(TAPERED.3),
+            _ => of_lobes,
+        };
         let score = score * page.weight(self.line.size().length());
         Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Leaf, habit: None })
     }
@@ -193,6 +232,38 @@ impl<'a> Blade<'a> {
             && angles.iter().any(|angle| angle.abs() > PI - OPPOSITE)
             && is_beside(1.0)
             && is_beside(-1.0)
+    }
+}
+
+/// A leaf as it lies along the direction of its stalk.
+struct Along {
+    base: Vec2,
+    way: Vec2,
+    /// How far it reaches from the end of the stalk, and to either side.
+    length: f32,
+    sides: (f32, f32),
+}
+
+impl Along {
+    fn new(ring: &[Vec2], (base, foot): (Vec2, Vec2)) -> Option<Self> {
+        let way = (base - foot).try_normalize()?;
+        let mut it = Self { base, way, length: 0.0, sides: (0.0, 0.0) };
+        it.length = ring.iter().map(|p| it.height(*p)).fold(0.0, f32::max);
+        let across = ring.iter().map(|p| it.across(*p));
+        it.sides = across.fold((0.0, 0.0), |(l, r): (f32, f32), x| (l.min(x), r.max(x)));
+        Some(it)
+    }
+
+    fn height(&self, p: Vec2) -> f32 {
+        (p - self.base).dot(self.way)
+    }
+
+    fn across(&self, p: Vec2) -> f32 {
+        self.way.perp_dot(p - self.base)
+    }
+
+    fn width(&self) -> f32 {
+        self.sides.1 - self.sides.0
     }
 }
 

@@ -12,6 +12,8 @@
 //! | `clover` | notched leaflets about one place |
 //! | `leafy_stem` | a twig: outlines of leaves along a line |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
+//! | `double_stem` | a stem by its two sides |
+//! | `strap` | long leaves of two edges from the foot of a stem |
 //! | `stem_arcs` | leaves whose one edge is the stem |
 //! | `potted_stem` | stems that rise from a pot, with what grows along them |
 //! | `spurs` | where a stroke goes out and back over itself |
@@ -20,6 +22,7 @@
 pub(crate) mod above_pot;
 pub(crate) mod blade;
 pub(crate) mod clover;
+pub(crate) mod double_stem;
 pub(crate) mod leaf;
 pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
@@ -31,3 +34,4 @@ pub(crate) mod potted_stem;
 pub(crate) mod spurs;
 pub(crate) mod stem_arcs;
 pub(crate) mod stem_loops;
+pub(crate) mod strap;

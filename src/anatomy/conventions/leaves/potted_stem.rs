@@ -8,10 +8,10 @@
 //! Limits: leaves on twigs; a line that carries something stays as it is, and then so does the plant.
 
 use super::spurs;
-use super::stem_loops::{is_leaf, taken_apart};
 use crate::anatomy::conventions::flowers::rays::blade;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes;
+use crate::anatomy::conventions::shapes::loops::{is_leaf, taken_apart};
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};

@@ -1,22 +1,18 @@
 //! Leaves that are loops in the stroke of their stem: the hand runs up, out around a leaf, back, and on.
 //!
-//! Along the stroke, wherever it comes back to a place where it was ([`GAP`]) and what lies between encloses enough, that is a leaf
+//! Along the stroke, wherever it comes back to a place where it was and what lies between encloses enough ([`loops`]), that is a leaf
 //! and is taken out. What is left must be nearly straight: the stem. A single loop at the end of a line is a leaf on its stalk,
-//! which [`leaf`](super::leaf) reads. Limits: leaves whose loops do not close are not found. Cost: the square of a line's points.
+//! which [`leaf`](super::leaf) reads. Limits: leaves whose loops do not close are not found.
 
-use crate::anatomy::conventions::page::{Line, Page};
-use crate::anatomy::conventions::shapes::lobes;
+use crate::anatomy::conventions::page::Page;
+use crate::anatomy::conventions::shapes::{lobes, loops};
 use crate::anatomy::conventions::{Hypothesis, Made};
-use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
+use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
-/// Distance within which a line is back where it was, as a share of its diagonal.
-const GAP: f32 = 0.03;
-/// Least length of a loop, as a share of the line's, least area, as a share of the square of its length, and of its hull.
+/// Least length of a loop, as a share of the line's.
 const LOOP: f32 = 0.1;
-const FAT: f32 = 0.025;
-const SOLID: f32 = 0.6;
 /// Most loops.
 const MOST: usize = 8;
 /// Least chord of the stem over its length, and least length, as a share of the longest loop's.
@@ -32,7 +28,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 
 fn stem(page: &Page, number: usize) -> Option<Hypothesis> {
     let line = &page.lines[number];
-    let (loops, way) = taken_apart(line, LOOP);
+    let (loops, way) = loops::taken_apart(line, LOOP);
     let length = polyline::length(&way);
     let longest = loops.iter().map(|points| polyline::length(points)).fold(0.0, f32::max);
     let is_straight = way[0].distance(way[way.len() - 1]) > STRAIGHT * length && length > LONG * longest;
@@ -54,31 +50,6 @@ fn stem(page: &Page, number: usize) -> Option<Hypothesis> {
         reading: Reading::Leaf,
         habit: None,
     })
-}
-
-/// The loops of a line that have at least such a share of its points, and the way that is left without them.
-pub(super) fn taken_apart(line: &Line, share: f32) -> (Vec<Vec<Vec2>>, Vec<Vec2>) {
-    let gap = GAP * line.size().length();
-    let least = ((line.points.len() as f32 * share) as usize).max(4);
-    let mut loops = Vec::new();
-    let mut way: Vec<Vec2> = Vec::new();
-    for &p in &line.points {
-        way.push(p);
-        let candidates = 0..way.len().saturating_sub(least);
-        let nearest = candidates.min_by(|a, b| way[*a].distance(p).total_cmp(&way[*b].distance(p)));
-        if let Some(i) = nearest.filter(|i| way[*i].distance(p) < gap && is_leaf(&way[*i..])) {
-            loops.push(way.split_off(i));
-            way.push(p);
-        }
-    }
-    (loops, way)
-}
-
-/// Whether a closed stretch encloses enough, and is not jagged.
-pub(super) fn is_leaf(points: &[Vec2]) -> bool {
-    let length = polyline::length(points);
-    let area = simple_loop::area(points);
-    area > FAT * length * length && area > SOLID * simple_loop::area(&convex_hull(points, |p| *p))
 }
 
 #[cfg(test)]

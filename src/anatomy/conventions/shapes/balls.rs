@@ -21,6 +21,8 @@ const SEVERAL: usize = 2;
 /// How far other lines are from one at least, as a share of its size, and most of the largest in the smallest: loops of foliage touch.
 const FREE: f32 = 0.06;
 const ALIKE: f32 = 1.8;
+/// Longest stalk that touches a fruit in a crown, as a share of the fruit's size.
+const STALK: f32 = 0.8;
 /// Rows of a fruit's outline.
 const ROWS: usize = 12;
 
@@ -57,7 +59,10 @@ pub(crate) fn in_crown<'a>(lines: impl Iterator<Item = &'a Line>, crown: &[Vec2]
         let margin = Vec2::splat(FREE * line.size().max_element());
         let (low, high) = (line.bounds.0 - margin, line.bounds.1 + margin);
         let is_near = |p: &Vec2| p.cmpgt(low).all() && p.cmplt(high).all();
-        all.iter().filter(|other| other.stroke != line.stroke).all(|other| !other.points.iter().any(is_near))
+        let is_stalk =
+            |other: &Line| other.length < STALK * line.size().max_element() && other.openness > OPEN;
+        let mut others = all.iter().filter(|other| other.stroke != line.stroke && !is_stalk(other));
+        others.all(|other| !other.points.iter().any(is_near))
     };
     let is_fruit = |line: &&Line| is_inside(line) && is_of_size(line) && is_round(line) && is_free(line);
     let fruits: Vec<&Line> = all.iter().copied().filter(is_fruit).collect();
@@ -85,6 +90,8 @@ mod tests {
             Page::of_lines(&[ball(50.0, 0.0), ball(-90.0, 80.0), line(&[(-200.0, 0.0), (-160.0, 9.0)])])
                 .lines;
         assert_eq!(in_crown(lines.iter(), &crown).len(), 2);
+        let stalked = [ball(50.0, 0.0), ball(-90.0, 80.0), line(&[(51.0, -31.0), (56.0, -52.0)])];
+        assert_eq!(in_crown(Page::of_lines(&stalked).lines.iter(), &crown).len(), 2, "a stalk");
         let tight: Vec<Vec2> = crown.iter().map(|p| 0.4 * *p).collect();
         assert!(in_crown(lines.iter(), &tight).is_empty());
     }

@@ -8,6 +8,7 @@
 //! | `silhouette` | the area that strokes enclose together, on a grid; its rows and its contour |
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
+//! | `loops` | loops in a stroke, taken out of its way |
 //! | `spikes` | lines cut into what tapers to a tip |
 //! | `folds` | spikes by the sharp folds of an outline |
 //! | `stem_tail` | a stem in one stroke with what it carries |
@@ -17,6 +18,7 @@ mod cells;
 pub(crate) mod folds;
 pub(crate) mod forks;
 pub(crate) mod lobes;
+pub(crate) mod loops;
 pub(crate) mod medial_axis;
 pub(crate) mod silhouette;
 pub(crate) mod spikes;

@@ -1,4 +1,5 @@
-//! A bare tree, as in winter: a trunk of two sides, or of one line, with boughs and twigs of single lines.
+//! A bare tree, as in winter: a trunk of two sides, or of one line, with boughs and twigs of single lines. The two
+//! sides may go on into boughs.
 //!
 //! What tells it from a palm, a cactus and grass: lines are nearly straight, do not enclose anything, most of them rise, none begins near the
 //! ground, and some begin on others, away from the trunk's top. A line with one corner that is not above its ends is a fork: two twigs from there. Each
@@ -14,8 +15,10 @@ use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 use std::collections::BTreeSet;
 
-/// Fewest twigs on a trunk of two sides and on one of a line, and fewest that begin away from the trunk's top.
-const FEWEST: (usize, usize, usize) = (3, 6, 2);
+/// Fewest twigs of a bare tree.
+const FEWEST: Fewest = Fewest { on_trunk: 3, on_line: 6, away: 2 };
+/// The same of lines that are near one another and do not all touch.
+const SCATTERED: Fewest = Fewest { on_trunk: 8, on_line: 10, away: 4 };
 /// Least height of a twig above the trunk's foot, as a share of the tree's height.
 const CLEAR: f32 = 0.15;
 /// How far from the trunk's top that is, as a share of the farthest twig's reach.
@@ -25,6 +28,8 @@ const STRAIGHT: f32 = 0.86;
 const EXPLAINED: f32 = 0.9;
 /// Share of the twigs' length that rises, and least rise of a twig over its chord.
 const RISING: (f32, f32) = (0.75, 0.1);
+/// How far from the trunk's middle a bough of its side begins at most, in half widths of the trunk.
+const BESIDE: f32 = 2.2;
 /// Most lines that are looked at.
 const MOST: usize = 100;
 /// Log-odds of a bare tree, and of each twig, up to so many.
@@ -33,24 +38,30 @@ const SCORE: (f32, f32, usize) = (5.0, 0.25, 12);
 /// Proposes a bare tree for each group of lines.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     if page.is_mostly_free() {
-        out.extend(page.groups.iter().filter_map(|group| bare(page, group)));
+        out.extend(page.groups.iter().filter_map(|group| bare(page, group, FEWEST)));
+        out.extend(page.wide_groups.iter().filter_map(|group| bare(page, group, SCATTERED)));
     }
 }
 
-fn bare(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+fn bare(page: &Page, group: &[usize], fewest: Fewest) -> Option<Hypothesis> {
     if group.len() > MOST {
         return None;
     }
-    let trunk = TrunkSides::find(page, group)?;
+    let found = TrunkSides::find(page, group);
+    let trunk = match found {
+        Some(trunk) if !trunk.is_line() => trunk,
+        _ => TrunkSides::find_below_boughs(page, group).or(found)?,
+    };
     let sides: BTreeSet<usize> = trunk.lines().collect();
     let runs = group.iter().flat_map(|line| trunk.rest_of(*line, &page.lines[*line]));
     // What is left of the sides at their feet is the end of the trunk.
     let half = 0.5 * (trunk.foot().y + trunk.top().y);
     let is_above = |(run, line): &(Vec<Vec2>, usize)| !sides.contains(line) || run.iter().all(|p| p.y < half);
     let runs: Vec<Vec<Vec2>> = runs.filter(is_above).map(|(run, _)| run).collect();
-    let mut twigs = straight_twigs(&trunk, &runs)?;
+    let mut twigs = straight_twigs(&trunk, &runs, fewest)?;
     grow_from_others(&mut twigs, &trunk);
-    if !are_of_a_tree(&twigs, trunk.top()) {
+    twigs.iter_mut().for_each(|twig| twig.begin_in(&trunk));
+    if !are_of_a_tree(&twigs, trunk.top(), fewest) {
         return None;
     }
     let uses: BTreeSet<usize> = group.iter().copied().chain(sides).collect();
@@ -64,6 +75,17 @@ fn bare(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         reading: Reading::BareTree,
         habit: Some(Habit::Tree),
     })
+}
+
+/// How many twigs make a bare tree.
+#[derive(Clone, Copy)]
+struct Fewest {
+    /// On a trunk of two sides.
+    on_trunk: usize,
+    /// On a trunk of one line.
+    on_line: usize,
+    /// Those among them that begin away from the trunk's top.
+    away: usize,
 }
 
 /// A bough or a twig.
@@ -95,6 +117,17 @@ impl Twig {
         polyline::length(&self.points)
     }
 
+    /// Leads a bough that goes on from a side of the trunk, or begins beside it, to the middle of the trunk.
+    fn begin_in(&mut self, trunk: &TrunkSides) {
+        let away = |row: &&(Vec2, f32)| row.0.distance_squared(self.base());
+        let nearest = trunk.rows().iter().min_by(|a, b| away(a).total_cmp(&away(b))).copied();
+        if let Some((middle, half)) = nearest.filter(|row| row.0.distance(self.base()) < BESIDE * row.1)
+            && middle.distance(self.base()) > 0.2 * half
+        {
+            self.points.insert(0, middle);
+        }
+    }
+
     fn rises(&self) -> bool {
         let chord = chord(&self.points);
         -chord.y > RISING.1 * chord.length()
@@ -102,7 +135,7 @@ impl Twig {
 }
 
 /// The straight twigs among some lines above a trunk, if they are nearly all of them, enough, and clear of the ground.
-fn straight_twigs(trunk: &TrunkSides, runs: &[Vec<Vec2>]) -> Option<Vec<Twig>> {
+fn straight_twigs(trunk: &TrunkSides, runs: &[Vec<Vec2>], fewest: Fewest) -> Option<Vec<Twig>> {
     let twigs: Vec<Twig> =
         runs.iter().flat_map(|run| Twig::of(run)).filter(|twig| is_straight(&twig.points)).collect();
     let drawn: f32 = runs.iter().map(|run| polyline::length(run)).sum();
@@ -110,7 +143,7 @@ fn straight_twigs(trunk: &TrunkSides, runs: &[Vec<Vec2>]) -> Option<Vec<Twig>> {
     let points = || twigs.iter().flat_map(|twig| &twig.points);
     let (foot, high) = (trunk.foot().y, points().map(|p| p.y).fold(f32::INFINITY, f32::min));
     let is_clear = points().all(|p| foot - p.y > CLEAR * (foot - high));
-    let fewest = if trunk.is_line() { FEWEST.1 } else { FEWEST.0 };
+    let fewest = if trunk.is_line() { fewest.on_line } else { fewest.on_trunk };
     (twigs.len() >= fewest && explained > EXPLAINED * drawn && is_clear).then_some(twigs)
 }
 
@@ -131,12 +164,12 @@ fn grow_from_others(twigs: &mut [Twig], trunk: &TrunkSides) {
 }
 
 /// Whether most of some twigs rise, and some begin away from the top of their trunk.
-fn are_of_a_tree(twigs: &[Twig], top: Vec2) -> bool {
+fn are_of_a_tree(twigs: &[Twig], top: Vec2, fewest: Fewest) -> bool {
     let reach = twigs.iter().flat_map(|twig| &twig.points).map(|p| p.distance(top)).fold(0.0, f32::max);
     let begins_away = |twig: &&Twig| twig.base().distance(top) > AWAY * reach;
     let length: f32 = twigs.iter().map(Twig::length).sum();
     let rising: f32 = twigs.iter().filter(|twig| twig.rises()).map(Twig::length).sum();
-    twigs.iter().filter(begins_away).count() >= FEWEST.2 && rising > RISING.0 * length
+    twigs.iter().filter(begins_away).count() >= fewest.away && rising > RISING.0 * length
 }
 
 fn chord(twig: &[Vec2]) -> Vec2 {
@@ -180,6 +213,18 @@ mod tests {
         assert_eq!(found[0].habit, Some(Habit::Tree));
         assert!(found[0].parts.iter().all(|part| part.tool == Tool::Branch));
         assert!(found[0].parts[0].half_width.is_some(), "the trunk is as wide as drawn");
+    }
+
+    #[test]
+    fn sides_that_go_on_into_boughs_are_a_trunk_and_boughs_that_begin_in_it() {
+        let side = |sign: f32| line(&[(8.0 * sign, 0.0), (6.0 * sign, -90.0), (60.0 * sign, -160.0)]);
+        let twig = |sign: f32| line(&[(35.0 * sign, -128.0), (75.0 * sign, -140.0)]);
+        let bough = line(&[(0.0, -92.0), (3.0, -190.0)]);
+        let found = read(&[side(-1.0), side(1.0), twig(-1.0), twig(1.0), bough]);
+        assert_eq!(found.first().map(|tree| tree.parts.len()), Some(6));
+        let begins =
+            |part: &&Made| part.points[0].position.x.abs() < 3.0 && part.points[0].position.y < -60.0;
+        assert_eq!(found[0].parts[1..].iter().filter(begins).count(), 3);
     }
 
     #[test]

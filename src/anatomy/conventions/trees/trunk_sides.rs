@@ -41,6 +41,8 @@ const MOST_SIDES: usize = 12;
 const STRETCH: f32 = 0.6;
 /// Points over which the lean of a side is measured, to each side.
 const STEPS: usize = 3;
+/// Width from which two sides have parted, in their least width, and heights at which it is measured.
+const PARTING: (f32, usize) = (1.7, 60);
 /// Points of a trunk.
 const POINTS: usize = 32;
 
@@ -143,34 +145,35 @@ impl TrunkSides {
 
     /// The same, with sides so far apart at most, as a share of their length.
     pub(crate) fn find_within(page: &Page, group: &[usize], apart: f32) -> Option<Self> {
-        let low = group.iter().map(|i| page.lines[*i].bounds.1.y).reduce(f32::max)?;
-        let high = group.iter().map(|i| page.lines[*i].bounds.0.y).reduce(f32::min)?;
-        let height = low - high;
-        let of_line = |i: &usize| Side::of_line(*i, &page.lines[*i], 0.1 * height);
-        let stands = |side: &Side| side.foot().y > low - FEET * height;
-        let mut sides: Vec<Side> = group.iter().flat_map(of_line).filter(stands).collect();
-        if sides.len() > MOST_SIDES {
-            return None;
-        }
-        sides = sides.into_iter().map(|side| side.continued(page, group, GAP * height)).collect();
-        // What goes on from another side is none by itself.
-        let upper: BTreeSet<usize> =
-            sides.iter().flat_map(|side| side.0.iter().map(|p| p.0).filter(|i| *i != side.0[0].0)).collect();
-        sides.retain(|side| side.length() > SIDE.0 * height && !upper.contains(&side.0[0].0));
-        sides.sort_by(|a, b| a.foot().x.total_cmp(&b.foot().x));
+        let (sides, height) = sides(page, group)?;
         let pairs = sides
             .windows(2)
             .filter_map(|pair| Some((pair, between(&pair[0].points(), &pair[1].points(), apart)?)));
         let shorter = |pair: &[Side]| pair[0].length().min(pair[1].length());
         if let Some((pair, paired)) = pairs.max_by(|a, b| shorter(a.0).total_cmp(&shorter(b.0))) {
-            let own =
-                pair.iter().zip(paired.own).flat_map(|(side, own)| side.0[..own].iter().map(|p| (p.0, p.1)));
-            return Some(Self { own: own.collect(), middle: without_roots(&paired.middle) });
+            return Some(Self::of_pair(pair, &paired));
         }
         let longest = sides.into_iter().max_by(|a, b| a.length().total_cmp(&b.length()))?;
         let middle = even(&longest.points(), POINTS).into_iter().map(|p| (p, 0.0)).collect();
         let own = longest.0.iter().map(|p| (p.0, p.1)).collect();
         (longest.length() > SIDE.1 * height).then_some(Self { own, middle })
+    }
+
+    /// Two sides that go on into boughs, up to where they part.
+    pub(crate) fn find_below_boughs(page: &Page, group: &[usize]) -> Option<Self> {
+        let (sides, height) = sides(page, group)?;
+        let of_pair = |pair: &[Side]| {
+            let parted = below_parting(&pair[0], &pair[1]).filter(|it| it[0].length() > SIDE.0 * height)?;
+            let paired = between(&parted[0].points(), &parted[1].points(), APART.1)?;
+            Some(Self::of_pair(&parted, &paired))
+        };
+        sides.windows(2).find_map(of_pair)
+    }
+
+    fn of_pair(pair: &[Side], paired: &Paired) -> Self {
+        let own =
+            pair.iter().zip(paired.own).flat_map(|(side, own)| side.0[..own].iter().map(|p| (p.0, p.1)));
+        Self { own: own.collect(), middle: without_roots(&paired.middle) }
     }
 
     /// Whether it is one line, without a drawn width.
@@ -237,6 +240,42 @@ impl TrunkSides {
         let points = plumb(self.middle.clone()).into_iter().map(point).collect();
         Made { tool: Tool::Branch, points, half_width: Some(widest) }
     }
+}
+
+/// The sides that rise from the lowest part of a group of lines, from left to right, and the height of the group.
+fn sides(page: &Page, group: &[usize]) -> Option<(Vec<Side>, f32)> {
+    let low = group.iter().map(|i| page.lines[*i].bounds.1.y).reduce(f32::max)?;
+    let high = group.iter().map(|i| page.lines[*i].bounds.0.y).reduce(f32::min)?;
+    let height = low - high;
+    let of_line = |i: &usize| Side::of_line(*i, &page.lines[*i], 0.1 * height);
+    let stands = |side: &Side| side.foot().y > low - FEET * height;
+    let mut sides: Vec<Side> = group.iter().flat_map(of_line).filter(stands).collect();
+    if sides.len() > MOST_SIDES {
+        return None;
+    }
+    sides = sides.into_iter().map(|side| side.continued(page, group, GAP * height)).collect();
+    // What goes on from another side is none by itself.
+    let upper: BTreeSet<usize> =
+        sides.iter().flat_map(|side| side.0.iter().map(|p| p.0).filter(|i| *i != side.0[0].0)).collect();
+    sides.retain(|side| side.length() > SIDE.0 * height && !upper.contains(&side.0[0].0));
+    sides.sort_by(|a, b| a.foot().x.total_cmp(&b.foot().x));
+    Some((sides, height))
+}
+
+/// Two sides up to where they come apart; nothing if they stay together.
+fn below_parting(a: &Side, b: &Side) -> Option<[Side; 2]> {
+    let top = |side: &Side| side.0[side.0.len() - 1].2.y;
+    let (low, high) = (a.foot().y.min(b.foot().y), top(a).max(top(b)));
+    let at = |k: usize| low + (high - low) * k as f32 / (PARTING.1 - 1) as f32;
+    let place = |side: &Side, y: f32| side.0.iter().find(|place| place.2.y <= y).map(|place| place.2.x);
+    let width = |k: usize| Some((place(b, at(k))? - place(a, at(k))?).abs());
+    let widths = (0..PARTING.1).map(width).collect::<Option<Vec<f32>>>()?;
+    let narrow = (0..widths.len()).min_by(|a, b| widths[*a].total_cmp(&widths[*b]))?;
+    let parting = (narrow..widths.len()).find(|k| widths[*k] > PARTING.0 * widths[narrow])?;
+    let below =
+        |side: &Side| Side(side.0.iter().copied().take_while(|place| place.2.y > at(parting)).collect());
+    let parted = [below(a), below(b)];
+    parted.iter().all(|side| side.0.len() > STEPS).then_some(parted)
 }
 
 /// Two sides side by side.
@@ -328,6 +367,21 @@ mod tests {
         let fan = |x: f32| vec![Vec2::new(50.0 + 0.1 * x, 0.0), Vec2::new(50.0 + x, -80.0)];
         let (_, trunk) = found(&[fan(-30.0), fan(30.0), crown()]).unwrap();
         assert!(trunk.is_line() && trunk.branch().half_width.is_none());
+    }
+
+    #[test]
+    fn two_sides_that_go_on_into_boughs_are_a_trunk_up_to_where_they_part() {
+        let side = |sign: f32| {
+            vec![Vec2::new(8.0 * sign, 0.0), Vec2::new(6.0 * sign, -90.0), Vec2::new(60.0 * sign, -160.0)]
+        };
+        let page = Page::of_lines(&[side(-1.0), side(1.0)]);
+        let trunk = TrunkSides::find_below_boughs(&page, &[0, 1]).unwrap();
+        assert!(trunk.top().x.abs() < 2.0 && (-105.0..-85.0).contains(&trunk.top().y), "{}", trunk.top());
+        assert!((trunk.width() - 14.0).abs() < 2.0);
+        assert!(trunk.rest_of(1, &page.lines[1]).iter().all(|run| run.0.iter().all(|p| p.y < -85.0)));
+        let straight = |x: f32| vec![Vec2::new(x, 0.0), Vec2::new(x, -90.0)];
+        let page = Page::of_lines(&[straight(-6.0), straight(6.0)]);
+        assert!(TrunkSides::find_below_boughs(&page, &[0, 1]).is_none(), "they stay together");
     }
 
     #[test]

@@ -72,6 +72,8 @@ const LEANING: (f32, f32) = (0.75, 0.25);
 const LEVEL: f32 = 0.4;
 const STEEP: f32 = 0.2;
 const LONG_ROW: f32 = 4.0;
+/// How far the lowest one or two lines begin below all others, as a share of the height of all, where these are at least so many: a trunk's.
+const TRUNK: (f32, usize) = (0.2, 4);
 /// Height from which a line is no blade beside others, in heights of the one in the middle of all.
 const GIANT: f32 = 3.5;
 /// Least width of a hill's line over its length, and how near to its lowest place both ends are, in its heights.
@@ -231,7 +233,7 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     let (single, double): (Vec<_>, Vec<_>) = all.partition(|(spike, _)| spike.flanks.len() == 1);
     let mut blades = joined(single, |tip| tip.x);
     blades.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
-    if upright.len() < LINES || blades.len() < BLADES {
+    if upright.len() < LINES || blades.len() < BLADES || stand_on_trunk(page, upright) {
         return None;
     }
     let (ground, height) = ground_of(&blades).or_else(|| foot_of_hill(page, &blades))?;
@@ -258,6 +260,17 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     // Blades beside a zigzag belong to it.
     let score = 1.9 + 0.25 * spikes.len().min(12) as f32 + 0.05 * uses.len() as f32;
     Some(grass(uses, score, &spikes, ground.slope))
+}
+
+/// Whether one or two of some lines begin far below all others, which then grow from a trunk.
+fn stand_on_trunk(page: &Page, lines: &[usize]) -> bool {
+    let mut feet: Vec<f32> = lines.iter().map(|line| page.lines[*line].bounds.1.y).collect();
+    let high = lines.iter().map(|line| page.lines[*line].bounds.0.y).fold(f32::INFINITY, f32::min);
+    feet.sort_by(|a, b| b.total_cmp(a));
+    let parts = |below: usize| {
+        feet.len() >= below + TRUNK.1 && feet[below - 1] - feet[below] > TRUNK.0 * (feet[0] - high)
+    };
+    parts(1) || parts(2)
 }
 
 /// Those of some lines that are not much higher than most: a flower in grass is no blade.

@@ -223,3 +223,17 @@ fn a_row_of_ticks_is_one_lawn_and_no_tufts() {
             .is_empty()
     );
 }
+
+#[test]
+fn boughs_that_hang_from_a_trunk_are_no_grass() {
+    let bough = |(x, foot): (f32, f32)| {
+        let at = |share: f32, y: f32| (share * x, y);
+        crate::anatomy::conventions::line(&[at(0.12, 190.0), at(0.8, 80.0), at(0.98, 110.0), (x, foot)])
+    };
+    let ends = [(-132.0, 310.0), (-94.0, 255.0), (-61.0, 256.0), (-27.0, 295.0)];
+    let boughs: Vec<Vec<Vec2>> =
+        ends.iter().flat_map(|(x, y)| [bough((*x, *y)), bough((-*x, *y - 8.0))]).collect();
+    assert!(!read(&boughs).is_empty(), "without a trunk they may be");
+    let sides = [-18.0, 20.0].map(|x| vec![Vec2::new(x, 386.0), Vec2::new(0.9 * x, 197.0)]);
+    assert!(read(&[boughs, sides.to_vec()].concat()).is_empty());
+}

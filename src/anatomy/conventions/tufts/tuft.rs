@@ -40,8 +40,13 @@ const DOWN: f32 = 0.35;
 const BELOW: f32 = 0.3;
 /// Least height of the highest tip over the place, as a share of the farthest tip's distance.
 const RISES: f32 = 0.4;
+/// A line that goes on below the place is a stem: how near it passes, how far each of its ends is at least, as shares of the farthest tip's
+/// distance, and its least chord over its length.
+const THROUGH: (f32, f32, f32) = (0.15, 0.2, 0.9);
 /// Farthest foot of a blade from the place, as a share of its tip's distance.
 const GATHERED: f32 = 0.45;
+/// How far above the place such a foot is at most, as a share of the same: leaves begin higher on their stem.
+const RAISED: f32 = 0.33;
 /// Half of the mean distance of the sides of a blade at most, as a share of its length.
 const SLENDER: f32 = 0.2;
 /// Most that a side turns against its bend, radians: blades may be serrated.
@@ -105,6 +110,7 @@ fn is_tuft(place: Vec2, crown: &Crown, runs: &[(Vec<Vec2>, usize)]) -> bool {
         let (tip, foot) = (spike.tip() - place, spike.foot() - place);
         tip.y < DOWN * tip.length()
             && foot.length() < GATHERED * tip.length()
+            && -foot.y < RAISED * tip.length()
             && spike.is_slender(SLENDER, BENT)
     };
     let lowest = runs.iter().flat_map(|run| &run.0).map(|p| p.y - place.y).fold(0.0, f32::max);
@@ -115,7 +121,17 @@ fn is_tuft(place: Vec2, crown: &Crown, runs: &[(Vec<Vec2>, usize)]) -> bool {
         && lowest < BELOW * crown.reach
         && highest > RISES * crown.reach
         && crown.fronds.iter().all(|frond| is_blade(&frond.0))
+        && !runs.iter().any(|run| goes_through(&run.0, place, crown.reach))
         && !has_one_inside(crown)
+}
+
+/// Whether a nearly straight line passes the place and goes on.
+fn goes_through(points: &[Vec2], place: Vec2, reach: f32) -> bool {
+    let (first, last) = (points[0], points[points.len() - 1]);
+    let is_near = polyline::nearest(points, place).is_some_and(|(gap, _)| gap < THROUGH.0 * reach);
+    is_near
+        && first.distance(place).min(last.distance(place)) > THROUGH.1 * reach
+        && first.distance(last) > THROUGH.2 * polyline::length(points)
 }
 
 /// Whether the tip of a blade lies within another: a midrib in its leaf.
@@ -171,6 +187,13 @@ mod tests {
         assert_eq!(read(&halves), [(6, 3)]);
         let lines: Vec<Vec<Vec2>> = blades.iter().map(|blade| blade[..21].to_vec()).collect();
         assert_eq!(read(&lines), [(3, 3)]);
+    }
+
+    #[test]
+    fn leaves_halfway_up_a_stem_are_no_tuft() {
+        let leaf = |x: f32, y: f32| blade(x, y).into_iter().map(|p| p - Vec2::new(0.0, 60.0)).collect();
+        let stem = vec![Vec2::ZERO, Vec2::new(3.0, -150.0)];
+        assert_eq!(read(&[stem, leaf(-50.0, -40.0), leaf(50.0, -45.0)]), []);
     }
 
     #[test]

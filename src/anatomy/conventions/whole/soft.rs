@@ -25,8 +25,14 @@ const GRASS: usize = 3;
 /// Least length of a leaf's stalk outside of its blade, as a share of the whole height.
 const STALK: f32 = 0.1;
 
+/// Most lines of a plain flower: more are a plant with many leaves.
+const MOST_LINES: usize = 24;
+
 /// A head of petals, on its stem if there is one.
 pub(super) fn flower(view: &View) -> Option<Plain> {
+    if view.own.len() > MOST_LINES {
+        return None;
+    }
     let stem = view.stalk();
     let head = stem.as_ref().map_or_else(|| view.all(), |stem| view.above(stem));
     let mut outline = view::outline(&head)?;

@@ -1,6 +1,7 @@
 //! Parts that are being turned, bent, straightened, moved and grafted, as the bar below the plant shows them.
 
 use crate::app::pose_drag::PoseDrag;
+use crate::modelling::OnContact;
 
 /// How parts are being posed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,6 +12,8 @@ pub struct PoseState {
     pub on: bool,
     /// What a drag does.
     pub drag: PoseDrag,
+    /// What becomes of wood that meets other wood as it is turned.
+    pub on_contact: OnContact,
     /// How many parts are chosen.
     pub chosen: usize,
     /// Whether the part that was held last stands otherwise than it was drawn or grew.

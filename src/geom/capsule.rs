@@ -5,47 +5,49 @@ use glam::Vec3;
 
 /// An internode, or a piece of one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Capsule {
-    /// The lower end and the upper one, metres.
-    pub(super) from: Vec3,
-    pub(super) to: Vec3,
+pub struct Capsule {
+    /// The lower end, metres.
+    pub from: Vec3,
+    /// The upper end, metres.
+    pub to: Vec3,
     /// Metres.
-    pub(super) radius: f32,
+    pub radius: f32,
 }
 
 impl Capsule {
-    pub(super) fn length(&self) -> f32 {
+    /// Distance of its ends, metres.
+    pub fn length(&self) -> f32 {
         self.from.distance(self.to)
     }
 
     /// A box around it: two that keep `kept` times the sum of their radii have boxes apart, or may.
-    pub(super) fn bounds(&self, kept: f32) -> Bounds {
+    pub fn bounds(&self, kept: f32) -> Bounds {
         let wide = Vec3::splat(kept * self.radius);
         (self.from.min(self.to) - wide, self.from.max(self.to) + wide)
     }
 
     /// The part farther than a distance from the lower end.
-    pub(super) fn above(self, distance: f32) -> Option<Self> {
+    pub fn above(self, distance: f32) -> Option<Self> {
         let length = self.length();
         (distance < length)
             .then(|| Self { from: self.from.lerp(self.to, distance.max(0.0) / length), ..self })
     }
 
     /// The part farther than a distance from the upper end.
-    pub(super) fn below(self, distance: f32) -> Option<Self> {
+    pub fn below(self, distance: f32) -> Option<Self> {
         let turned = Self { from: self.to, to: self.from, ..self };
         turned.above(distance).map(|part| Self { from: part.to, to: part.from, ..part })
     }
 
     /// Whether two are nearer than a multiple of the sum of their radii.
-    pub(super) fn overlaps(&self, other: &Self, kept: f32) -> bool {
+    pub fn overlaps(&self, other: &Self, kept: f32) -> bool {
         let reach = kept * (self.radius + other.radius);
         let (p, q) = self.nearest(other);
         p.distance_squared(q) < reach * reach
     }
 
     /// The place on the axis of each that is nearest to the other.
-    pub(super) fn nearest(&self, other: &Self) -> (Vec3, Vec3) {
+    pub fn nearest(&self, other: &Self) -> (Vec3, Vec3) {
         let (along, of_other, off) = (self.to - self.from, other.to - other.from, self.from - other.from);
         let (aa, bb, ab) = (along.length_squared(), of_other.length_squared(), along.dot(of_other));
         let (a_off, b_off) = (along.dot(off), of_other.dot(off));
