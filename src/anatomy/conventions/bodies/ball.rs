@@ -93,6 +93,12 @@ fn ball(page: &Page, body: usize, near: &[usize], mouth: Option<(Vec2, Vec2)>) -
     if !is_one || !are_within || inside.len() > MOST {
         return None;
     }
+    // One of several things in a pot is a leaf.
+    let is_apart =
+        |i: &usize| *i == body || page.is_apart(*i) || inside.contains(i) || is_above(&page.lines[*i]);
+    if !is_globe && !(0..page.lines.len()).all(|i| is_apart(&i)) {
+        return None;
+    }
     // The very foot, where the hand began and ended, is left out.
     let axis = low.x.midpoint(high.x);
     let (foot, top) = (Vec2::new(axis, high.y - END * size.y), Vec2::new(axis, low.y));
@@ -184,9 +190,13 @@ mod tests {
         closed.push(closed[0]);
         let lift =
             |points: Vec<Vec2>| points.into_iter().map(|p| p + Vec2::new(0.0, 10.0)).collect::<Vec<_>>();
-        let found = read_above(pot::propose, propose, &[pot, lift(closed)]);
+        let found = read_above(pot::propose, propose, &[pot.clone(), lift(closed.clone())]);
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].uses, [1]);
+        let half = |sign: f32| {
+            lift(closed.clone()).into_iter().map(|p| Vec2::new(0.4 * p.x + 33.0 * sign, p.y)).collect()
+        };
+        assert!(read_above(pot::propose, propose, &[pot, half(-1.0), half(1.0)]).is_empty(), "two leaves");
     }
 
     #[test]
