@@ -86,7 +86,7 @@ fn cards_cover_what_their_leaves_cover() {
     // A spruce's leaves are pictures of twigs already, so that cards save less of them.
     let trees = [
         ("oak", 20.0, 0.15, 0.12),
-        ("spruce", 12.0, 0.15, 0.15),
+        ("spruce", 12.0, 0.12, 0.15),
         ("maple", 14.0, 0.15, 0.12),
         ("ash", 10.0, 0.02, 0.15),
     ];
