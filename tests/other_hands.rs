@@ -1,5 +1,6 @@
-//! Drawings by people as other hands would have drawn them: strokes split, shortened, drawn again, gone round twice. How a line is
-//! divided into strokes must not change what plant the drawing shows.
+//! Drawings by people as other hands would have drawn them: strokes split, shortened, drawn again, gone round twice, and the whole bent,
+//! stretched, its strokes moved against each other. Neither how a line is divided into strokes nor where a hand strays must change what
+//! plant the drawing shows.
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
@@ -18,7 +19,7 @@ type Hand = fn(&[Line], f32) -> Vec<Line>;
 const EVERY: usize = 4;
 
 /// Hands, and how many of the drawings that they draw keep their habit: fewer is a step back.
-const HANDS: [(&str, Hand, usize); 7] = [
+const HANDS: [(&str, Hand, usize); 12] = [
     ("split", split, 40),
     ("lifted", lifted, 35),
     ("short", short, 34),
@@ -26,6 +27,11 @@ const HANDS: [(&str, Hand, usize); 7] = [
     ("restated", restated, 40),
     ("feathered", feathered, 37),
     ("twice", twice, 40),
+    ("bent", |lines, diagonal| bent(lines, diagonal, 1), 41),
+    ("bent otherwise", |lines, diagonal| bent(lines, diagonal, 2), 41),
+    ("wide", |lines, _| scaled(lines, Vec2::new(1.35, 1.0)), 42),
+    ("tall", |lines, _| scaled(lines, Vec2::new(1.0, 1.35)), 43),
+    ("moved", moved, 41),
 ];
 
 #[test]
@@ -93,14 +99,17 @@ fn part(line: &[Vec2], from: f32, to: f32) -> Line {
     if part.len() > 1 { part } else { line.to_vec() }
 }
 
+/// A number from -1 to 1 for another.
+fn noise(number: usize) -> f32 {
+    let mut hash = number as u32;
+    hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
+    hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
+    (hash >> 8) as f32 / (1 << 23) as f32 - 1.0
+}
+
 /// The same line drawn again: it strays slowly by up to `most` pixels to each side.
 fn again(line: &[Vec2], seed: usize, most: f32, wave: f32) -> Line {
-    let value = |k: usize, side: usize| {
-        let mut hash = ((seed * 131 + k) * 2 + side) as u32;
-        hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
-        hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
-        (hash >> 8) as f32 / (1 << 23) as f32 - 1.0
-    };
+    let value = |k: usize, side: usize| noise((seed * 131 + k) * 2 + side);
     let (mut at, mut strayed) = (0.0, Vec::new());
     for (i, place) in line.iter().enumerate() {
         at += if i > 0 { line[i - 1].distance(*place) / wave } else { 0.0 };
@@ -183,4 +192,29 @@ fn twice(lines: &[Line], diagonal: f32) -> Vec<Line> {
         if is_closed { [line.clone(), second].concat() } else { line.clone() }
     };
     lines.iter().enumerate().map(round).collect()
+}
+
+/// All lines along slow waves, up to a twentieth of the diagonal.
+fn bent(lines: &[Line], diagonal: f32, seed: usize) -> Vec<Line> {
+    let wave = |k: usize, along: Vec2| {
+        let per_pixel = std::f32::consts::TAU / diagonal * (1.2 + 0.4 * noise(100 * seed + 3 * k));
+        let direction = Vec2::from_angle(3.0 * noise(100 * seed + 3 * k + 1));
+        (per_pixel * direction.dot(along) + 3.0 * noise(100 * seed + 3 * k + 2)).sin()
+    };
+    let place = |p: &Vec2| {
+        let away = Vec2::new(wave(0, *p) + wave(1, *p), wave(2, *p) + wave(3, *p));
+        *p + 0.025 * diagonal * away
+    };
+    lines.iter().map(|line| line.iter().map(place).collect()).collect()
+}
+
+/// The whole wider or higher.
+fn scaled(lines: &[Line], scale: Vec2) -> Vec<Line> {
+    lines.iter().map(|line| line.iter().map(|p| *p * scale).collect()).collect()
+}
+
+/// Strokes a little beside where they were.
+fn moved(lines: &[Line], diagonal: f32) -> Vec<Line> {
+    let away = |i: usize| 0.02 * diagonal * Vec2::new(noise(2 * i + 1), noise(2 * i + 2));
+    lines.iter().enumerate().map(|(i, line)| line.iter().map(|p| *p + away(i)).collect()).collect()
 }

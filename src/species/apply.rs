@@ -99,7 +99,7 @@ pub fn apply_within(
     for flower in &mut plant.flowers {
         flower.look = looks.get(flower.look % looks.len().max(1)).copied().unwrap_or(0);
     }
-    let fruits = fruiting(&plant, provenance, species, seed, budget);
+    let (fruits, flat) = fruiting(&plant, provenance, species, seed, budget);
     season::turn(&mut plant, provenance, species, seed);
     compound_leaves::divide(&mut plant, &species.leaf, seed);
     let openings = full::open_buds(&mut plant, buds, species, budget.blossoms);
@@ -110,16 +110,17 @@ pub fn apply_within(
     if species.pot.is_none() || has_drawn_pot {
         ground::keep_above(&mut plant);
     }
-    let (mut added, templates) = flower_centres(&plant, species, &petals, seed);
-    added.extend(fruits);
-    added.extend(thorny(&plant, provenance, species, seed));
+    let (centres, templates) = flower_centres(&plant, species, &petals, seed);
+    let mut added = thorny(&plant, provenance, species, seed);
     if species.fruit.as_ref().is_some_and(|fruit| fruit.underside.is_some()) {
         added.extend(caps(&mut plant));
     }
     if !has_drawn_pot {
         added.extend(potted(&plant, species));
     }
-    plant.add_organs(added, templates);
+    plant.add_organs(centres, templates);
+    plant.add_organs(fruits, flat);
+    plant.add_organs(added, Templates::default());
     Applied { plant: with_materials(plant, species), is_blossom_thinned }
 }
 
@@ -247,8 +248,10 @@ fn fruiting(
     species: &Species,
     seed: u64,
     budget: &Budget,
-) -> Vec<Organ> {
-    let Some(set) = species.fruit.as_ref().and_then(|fruit| fruit.set.as_ref()) else { return Vec::new() };
+) -> (Vec<Organ>, Templates) {
+    let Some(set) = species.fruit.as_ref().and_then(|fruit| fruit.set.as_ref()) else {
+        return Default::default();
+    };
     fruits(plant, provenance, (set, &species.season), budget.blossoms, seed)
 }
 

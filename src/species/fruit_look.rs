@@ -34,6 +34,12 @@ pub enum FruitShape {
     Acorn,
     /// A cone.
     Cone,
+    /// One long wing with its seed at the stalk: an ash's key.
+    Key,
+    /// Two wings that part, a seed at the foot of each: a maple's key.
+    Wings,
+    /// A flat pod, wider at each seed.
+    Pod,
 }
 
 crate::parameters! {

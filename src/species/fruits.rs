@@ -1,4 +1,4 @@
-//! Fruits that a plant bears when their season comes: apples, cherries, berries in umbels, nuts, acorns and cones.
+//! Fruits that a plant bears when their season comes: apples, cherries, berries in umbels, nuts, acorns, cones, keys and pods.
 //!
 //! A species with `[fruit.set]` sets them where some of its leaves stand, one or a cluster at a place: wood in leaf bears fruit,
 //! grown or drawn, whoever made it. From the end of blossom they swell; each ripens and falls at a time of its own within those of
@@ -6,15 +6,16 @@
 //! fruits there are those and no others.
 //!
 //! Berries are the heads of filaments, of few triangles each, because a rowan has thousands; everything larger is a body of
-//! revolution at the end of its stalk. Either way all of one kind are copies of one shape (`src/model/shapes.rs`).
+//! revolution at the end of its stalk, or flat ([`flat_fruits`](super::flat_fruits)). Either way all of one kind are copies of one shape (`src/model/shapes.rs`).
 //!
 //! Limits: no wood bends under its fruits, and they may reach into leaves or each other; fallen ones are gone. The papers have none.
 
+use super::flat_fruits::FlatFruit;
 use super::fruit_look::{FruitSet, FruitShape};
 use super::looks::SeasonLook;
 use super::season;
 use crate::geom::polyline;
-use crate::plant::{GrownId, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role, Shape};
+use crate::plant::{GrownId, Organ, OrganKind, OrganPart, Origin, Plant, Provenance, Role, Shape, Templates};
 use crate::random::{Choice, mix};
 use glam::{Vec2, Vec3};
 
@@ -37,10 +38,10 @@ pub(super) const UNRIPE: u32 = 2;
 /// (radius, height) from the stalk to the other end, in the largest radius and the whole height.
 type Profile = &'static [(f32, f32)];
 
-/// The profile of a body of revolution; none of berries, which are heads of filaments.
+/// The profile of a body of revolution; none of berries, which are heads of filaments, and of what is flat.
 const fn profile(shape: FruitShape) -> Option<Profile> {
     match shape {
-        FruitShape::Berry => None,
+        FruitShape::Berry | FruitShape::Key | FruitShape::Wings | FruitShape::Pod => None,
         FruitShape::Ball => Some(&[
             (0.0, 0.02),
             (0.52, 0.03),
@@ -80,18 +81,21 @@ const fn profile(shape: FruitShape) -> Option<Profile> {
     }
 }
 
-/// The fruits that nobody drew of a plant at a time of the year, at most so many; `seed` decides which leaves have some.
+/// The fruits that nobody drew of a plant at a time of the year, at most so many, with the templates of those that are flat; `seed`
+/// decides which leaves have some.
 pub(super) fn fruits(
     plant: &Plant,
     provenance: &Provenance,
     (look, year): (&FruitSet, &SeasonLook),
     most: usize,
     seed: u64,
-) -> Vec<Organ> {
+) -> (Vec<Organ>, Templates) {
+    let mut templates = Templates::default();
     let is_drawn = |organ: &Organ| organ.role.part == OrganPart::Fruit && organ.origin.is_drawn();
     if year.time <= SET || plant.organs.iter().any(is_drawn) {
-        return Vec::new();
+        return (Vec::new(), templates);
     }
+    let flat = FlatFruit::of(look.shape, look.length, &mut templates);
     let seats: Vec<Seat> = plant.organs.iter().filter_map(|organ| seat(plant, organ)).collect();
     let mean = seats.iter().map(|seat| seat.length).sum::<f32>() / seats.len().max(1) as f32;
     let lowest = lowest(plant, &seats, look, mean);
@@ -102,15 +106,19 @@ pub(super) fn fruits(
         // The shoot that a leaf shows is gone with it.
         let along = if season::has_leaf(year, key) { look.along } else { 0.0 };
         let seat = seat.out_along(along * (1.0 - INNER * Choice::FRUIT_ALONG.unit(key)));
-        let hanging = move |nth| {
+        let hanging = |nth| {
             let key = mix(key, nth);
             let course = course(look, year.time, key)?;
-            Some(Hanging::of(look, mean * look.radius, course, key).organs(&seat, seat.origin(nth)))
+            let hanging = Hanging::of(look, mean * look.radius, course, key);
+            Some(hanging.organs(flat.as_ref(), &seat, seat.origin(nth)))
         };
         let count = if bears { look.cluster.into() } else { 0 };
         (0..count).filter_map(hanging).flatten().collect::<Vec<_>>()
     };
-    seats.iter().flat_map(of_seat).collect()
+    let organs: Vec<Organ> = seats.iter().flat_map(of_seat).collect();
+    // A plant has no templates that nothing is a copy of.
+    let templates = if organs.is_empty() { Templates::default() } else { templates };
+    (organs, templates)
 }
 
 /// The height of the lowest leaf that may have fruits: as high in the foliage as the species says, and so that none reaches the
@@ -215,8 +223,8 @@ impl Hanging {
         ([base, bend, bend + end * ((1.0 - STALK.1) * self.stalk.x)], end)
     }
 
-    /// Its organs at a seat.
-    fn organs(self, seat: &Seat<'_>, origin: Origin) -> impl Iterator<Item = Organ> + use<> {
+    /// Its organs at a seat; `flat` are the blades of a flat one.
+    fn organs(self, flat: Option<&FlatFruit>, seat: &Seat<'_>, origin: Origin) -> Vec<Organ> {
         let (path, axis) = self.path(seat.base, seat.out);
         let branch = seat.leaf.branch;
         let organ = move |part, shape| {
@@ -224,16 +232,15 @@ impl Hanging {
             Organ { role, origin, branch, flower: None, shape }
         };
         let points = path.to_vec();
-        let thread = |head| Shape::Filament { points, radius: self.stalk.y, head };
-        let (stalk, body) = match profile(self.shape) {
-            None => (Some(thread(0.5 * Vec2::new(2.0 * self.radius, self.height))), None),
-            Some(profile) => {
-                let stalk = (self.stalk.x > 0.0).then(|| thread(Vec2::ZERO));
-                (stalk, Some(self.body(profile, path[2], axis)))
-            }
+        let thread = |head| Shape::Filament { points: points.clone(), radius: self.stalk.y, head };
+        let stalk = |head| organ(OrganPart::FruitStalk, thread(head));
+        let bare = || (self.stalk.x > 0.0).then(|| stalk(Vec2::ZERO));
+        let bodies = match (profile(self.shape), flat) {
+            (Some(profile), _) => vec![self.body(profile, path[2], axis)],
+            (None, Some(flat)) => flat.blades(path[2], axis, self.aside, self.height),
+            (None, None) => return vec![stalk(0.5 * Vec2::new(2.0 * self.radius, self.height))],
         };
-        let stalk = stalk.map(|shape| organ(OrganPart::FruitStalk, shape));
-        stalk.into_iter().chain(body.map(|shape| organ(OrganPart::Fruit, shape)))
+        bare().into_iter().chain(bodies.into_iter().map(|shape| organ(OrganPart::Fruit, shape))).collect()
     }
 
     /// The body whose dimple holds the end of the stalk.

@@ -154,7 +154,7 @@ fn none_hangs_below_the_ground_and_none_is_one_too_many() {
     (all.organs, all.templates) = (plant.organs.clone(), plant.templates.clone());
     all.organs.retain(|organ| organ.kind() == OrganKind::Leaf);
     let set = species.fruit.as_ref().unwrap().set.as_ref().unwrap();
-    let few = fruits(&all, &Provenance::default(), (set, &species.season), 60, 1);
+    let (few, _) = fruits(&all, &Provenance::default(), (set, &species.season), 60, 1);
     let count = few.iter().filter(|organ| organ.role.part == OrganPart::Fruit).count();
     assert!((30..=90).contains(&count), "{count}");
 }
@@ -168,7 +168,7 @@ fn where_fruits_were_drawn_there_are_no_others() {
     let set = species.fruit.as_ref().unwrap().set.as_ref().unwrap();
     let mut provenance = Provenance::default();
     let count = |plant: &Plant, provenance: &Provenance| {
-        fruits(plant, provenance, (set, &species.season), 9999, 1).len()
+        fruits(plant, provenance, (set, &species.season), 9999, 1).0.len()
     };
     assert!(count(&plant, &provenance) > 0);
     let drawn = provenance.record(Some(1));
@@ -188,5 +188,24 @@ fn times_that_are_no_times_are_refused() {
     for ripe in ["[3.5, 3.0]", "[1.0, 3.0]", "[3.0, nan]"] {
         let refused = Species::from_toml(&text(ripe), "x").unwrap_err().to_string();
         assert!(refused.contains("from 2.5 to 6"), "{refused}");
+    }
+}
+
+#[test]
+fn keys_and_pods_are_flat_and_hang_without_stalks_of_their_own() {
+    for (name, blades) in [("ash", 1), ("maple", 2), ("acacia", 1)] {
+        let species = of(name, 3.95);
+        let plant = in_leaf(&species);
+        let fruits = bodies(&plant);
+        let set = species.fruit.as_ref().unwrap().set.as_ref().unwrap();
+        let expected = set.share * LEAVES as f32 * set.cluster as f32 * blades as f32;
+        assert!((fruits.len() as f32 / expected - 1.0).abs() < 0.3, "{name}: {} of {expected}", fruits.len());
+        for fruit in fruits {
+            let Shape::Blade(blade) = &fruit.shape else { panic!("{name}: a blade") };
+            assert!(blade.v.length() < 0.25 && plant.templates[blade.template].length() == 1.0);
+        }
+        assert!(plant.organs.iter().all(|organ| organ.role.part != OrganPart::FruitStalk));
+        let fallen = in_leaf(&of(name, 6.0));
+        assert!(bodies(&fallen).is_empty(), "{name}");
     }
 }

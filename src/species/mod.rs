@@ -16,6 +16,7 @@ mod cap;
 mod compound_leaves;
 pub mod filaments;
 pub mod file;
+mod flat_fruits;
 pub mod flower_params;
 pub mod form;
 pub mod fruit_look;

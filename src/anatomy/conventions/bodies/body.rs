@@ -12,8 +12,8 @@
 use super::body_area::{Body, size_of, with_lines};
 use super::spines::{self, Spines};
 use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::shapes::teeth::is_row_of_teeth;
 use crate::anatomy::conventions::trees::evidence;
-use crate::anatomy::conventions::tufts::grass;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -55,7 +55,7 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         |line: &Line| line.is_closed_and_solid() && line.size().max_element() < FLOWER * size.max_element();
     let (flowers, group): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| is_flower(&page.lines[**i]));
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
-    let is_grass = lines.iter().any(|line| grass::is_row_of_teeth(line));
+    let is_grass = lines.iter().any(|line| is_row_of_teeth(line));
     if is_grass || evidence::has_blades(&lines, size) || is_rosette(&lines) {
         return None;
     }

@@ -47,8 +47,11 @@ const NOTCHES: (usize, usize, f32) = (2, 2, -0.5);
 const OPEN: (f32, f32) = (0.6, 2.2);
 /// Least share of what is drawn that lies in the body.
 const INSIDE: f32 = 0.95;
-/// Stretch and turn of a sharp tip, how many are too many, and the part of the height, from below, where they do not count.
-const POINTED: ((f32, f32), usize, f32) = ((0.05, 1.5), 3, 0.25);
+/// Stretch and turn of a sharp tip, how many are too many, the part of the height, from below, where they do not count, and log-odds of
+/// arms with so many.
+const POINTED: ((f32, f32), usize, f32, f32) = ((0.05, 1.5), 3, 0.25, -2.0);
+/// How much less area than [`LONG`] a body with arms may have, and log-odds where it has so little.
+const SHORT: (f32, f32) = (0.3, -2.0);
 /// Stretch and turn of a tip at the top, and how near to the top it is, as a share of the height.
 const SHARP: ((f32, f32), f32) = ((0.06, 1.1), 0.06);
 /// Lowest part of an outline, as a share of its height.
@@ -138,16 +141,13 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
         |half: f32| foot.is_some_and(|(a, b)| (OPEN.0..OPEN.1).contains(&(a.distance(b) / (2.0 * half))));
     let least = if spines.are_many() { SQUAT } else { LONG.0 };
     let may_be_column = long > least && solid > SOLID.0;
-    let may_have_arms = long > LONG.1 && solid < SOLID.1;
+    let may_have_arms = long > LONG.1 - SHORT.0 && solid < SOLID.1;
     if !may_be_column && !may_have_arms {
-        return None;
-    }
-    if pointed(&outline) {
         return None;
     }
     let limbs = Limbs::new(medial_axes(silhouette, root(&outline, foot)?), silhouette.cell())?;
     let form = match limbs.arms() {
-        0 if !spines.are_many() && has_sharp_top(&outline) => return None,
+        0 if pointed(&outline) || !spines.are_many() && has_sharp_top(&outline) => return None,
         0 if may_be_column && (is_open(limbs.half()) || spines.are_many()) => SCORE.0,
         0 => return None,
         _ if may_have_arms => limbs.log_odds(),
@@ -156,7 +156,11 @@ fn body(silhouette: &Silhouette, foot: Option<(Vec2, Vec2)>, spines: &Spines) ->
     let notches = notches(&outline).len().saturating_sub(NOTCHES.0 + NOTCHES.1 * limbs.arms());
     let least = if limbs.arms() == 0 { COVERED.0 } else { COVERED.1 };
     let covered = silhouette.share_within(limbs.circles());
-    let score = form + NOTCHES.2 * notches as f32 + COVERED.2 * (least - covered).max(0.0);
+    let mut score = form + NOTCHES.2 * notches as f32 + COVERED.2 * (least - covered).max(0.0);
+    if limbs.arms() > 0 {
+        score += SHORT.1 * ((LONG.1 - long) / SHORT.0).clamp(0.0, 1.0);
+        score += if pointed(&outline) { POINTED.3 } else { 0.0 };
+    }
     Some(Body { limbs, outline, score })
 }
 

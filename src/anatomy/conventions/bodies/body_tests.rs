@@ -278,6 +278,17 @@ fn spines_that_begin_at_the_outline_are_spines() {
 }
 
 #[test]
+fn what_has_strokes_in_it_and_stands_on_a_line_is_a_leaf_with_its_veins() {
+    let mut closed = saguaro();
+    closed.push(closed[0]);
+    let mut lines = vec![closed];
+    lines.extend((0..6).map(|k| line(&[(-4.0, 40.0 - 14.0 * k as f32), (4.0, 36.0 - 14.0 * k as f32)])));
+    assert_eq!(read(&lines).len(), 1);
+    lines.push(line(&[(0.0, 61.0), (1.0, 110.0)]));
+    assert!(read(&lines).is_empty());
+}
+
+#[test]
 fn an_outline_up_to_the_underside_of_its_second_arm_is_as_thick_below_as_above() {
     let whole = saguaro();
     let right = whole.iter().rposition(|p| p.x > 10.5 && p.y > 9.0).unwrap();

@@ -5,6 +5,7 @@
 //! was drawn. Limits: caps that lean are made upright.
 
 use crate::anatomy::conventions::page::{Line, Page, notches};
+use crate::anatomy::conventions::shapes::outline::width_at;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::trees::evidence::ramp;
@@ -154,11 +155,7 @@ impl<'a> Cap<'a> {
     /// Half width at a share of its height, from below.
     fn half_at(&self, share: f32) -> f32 {
         let y = self.high.y - share * self.height();
-        let next = self.outline.iter().cycle().skip(1);
-        let crossings = self.outline.iter().zip(next).filter(|(a, b)| (a.y <= y) != (b.y <= y));
-        let places = crossings.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y));
-        let (left, right) = places.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
-        (0.5 * (right - left)).max(0.0)
+        0.5 * width_at(self.outline, y)
     }
 }
 

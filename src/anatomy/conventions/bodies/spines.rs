@@ -14,6 +14,8 @@ const LONG: (f32, usize) = (0.34, 3);
 const STRAIGHT: f32 = 0.85;
 /// Most of the long ones that do not go across the outline, as a share.
 const ASTRAY: f32 = 0.35;
+/// How far a stalk goes on below a body, as a share of its height, least rise of one over its run, and least chord over its length.
+const STALK: (f32, f32, f32) = (0.15, 2.0, 0.9);
 /// How far from the outline a spine begins at most, as a share of its length.
 const AT: f32 = 0.25;
 /// Log-odds of each spine across the outline, from it outward, and on the body, up to so many.
@@ -71,6 +73,18 @@ impl Spines<'_> {
         self.short.iter().chain(&self.long).copied().filter(is_twig).collect()
     }
 
+    /// Whether one of them goes straight down from the foot of an outline, as the stalk of a leaf does.
+    fn have_a_stalk(&self, outline: &[Vec2]) -> bool {
+        let (high, low) = polyline::bounds(outline.iter().copied());
+        let least = STALK.0 * (low.y - high.y);
+        self.short.iter().chain(&self.long).any(|line| {
+            let (first, last) = line.ends();
+            let run = (last - first).abs();
+            let is_steep = run.y > STALK.1 * run.x && run.length() > STALK.2 * line.length;
+            is_steep && first.y.max(last.y) - low.y > least && first.y.min(last.y) > high.y.midpoint(low.y)
+        })
+    }
+
     /// How many there are.
     pub(super) fn count(&self) -> usize {
         self.short.len() + self.long.len()
@@ -78,6 +92,9 @@ impl Spines<'_> {
 
     /// What the spines add to the log-odds of a body; none where long strokes are not its spines.
     pub(super) fn log_odds(&self, outline: &[Vec2]) -> Option<f32> {
+        if self.have_a_stalk(outline) {
+            return None;
+        }
         let region = Region::new(outline.to_vec());
         let (mut across, mut outward, mut on_it, mut astray) = (0, 0, 0, 0);
         for (line, is_long) in

@@ -4,6 +4,7 @@
 //! cuts. Limits: of an outline that is cut more than twice, what lies between the outer cuts counts as inside.
 
 use crate::anatomy::conventions::Made;
+use crate::anatomy::conventions::shapes::outline::ends_at;
 use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -48,13 +49,8 @@ struct Cut {
 
 /// How far a line across the axis goes to either side until it leaves the outline.
 fn cut(outline: &[Vec2], place: Vec2, along: Vec2) -> Option<(f32, f32)> {
-    let of = |p: &Vec2| ((*p - place).dot(along), (*p - place).dot(along.perp()));
-    let next = outline.iter().cycle().skip(1);
-    let crossings =
-        outline.iter().zip(next).map(|(a, b)| (of(a), of(b))).filter(|(a, b)| (a.0 < 0.0) != (b.0 < 0.0));
-    let places = crossings.map(|(a, b)| a.1 + (b.1 - a.1) * a.0 / (a.0 - b.0));
-    let ends = places.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
-    (ends.0 < ends.1).then_some(ends)
+    let away = |p: Vec2| p - place;
+    ends_at(outline, 0.0, |p| away(p).dot(along), |p| away(p).dot(along.perp()))
 }
 
 #[cfg(test)]

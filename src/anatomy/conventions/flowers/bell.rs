@@ -9,6 +9,7 @@
 
 use super::cup;
 use crate::anatomy::conventions::page::{Line, Page, bounds};
+use crate::anatomy::conventions::shapes::outline::width_at;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
@@ -137,14 +138,6 @@ fn head(page: &Page, stalk: &Stalk, near: &[usize]) -> Option<Vec<usize>> {
     let mut all: Vec<usize> = near.iter().filter(joins).chain(&hanging).copied().collect();
     all.sort_unstable();
     (!hanging.is_empty() && all.len() <= LINES).then_some(all)
-}
-
-/// How wide an outline is at a height.
-fn width_at(outline: &[Vec2], y: f32) -> f32 {
-    let next = outline.iter().cycle().skip(1);
-    let crossings = outline.iter().zip(next).filter(|(a, b)| (a.y <= y) != (b.y <= y)).map(|(a, _)| a.x);
-    let (left, right) = crossings.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
-    (right - left).max(0.0)
 }
 
 /// The left and the right end of the edge of a bell, which begins at a height, and between them its lowest place.

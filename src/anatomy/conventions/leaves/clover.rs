@@ -22,8 +22,9 @@ const STRAIGHT: f32 = 0.93;
 const ROUND: f32 = 0.5;
 /// Fewest leaflets, and most.
 const LEAFLETS: (usize, usize) = (3, 4);
-/// Mean distance of near notches from the middle in that of far ones, at most.
-const NEAR: f32 = 0.92;
+/// Mean distance of near notches from the middle in that of far ones: from where on it speaks against a clover, and at most; log-odds.
+/// Crowns have shallow notches.
+const NEAR: (f32, f32, f32) = (0.85, 0.92, 2.5);
 /// Least depth of a notch, as a share of the reach.
 const NOTCH: f32 = 0.05;
 /// Least and greatest angle of a leaflet, in those of even ones.
@@ -76,7 +77,8 @@ fn clover(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         Made::new(Tool::Leaf, lobes::rooted(stretch, root))
     });
     let parts = stalk.map(|way| Made::new(Tool::Branch, way)).into_iter().chain(blades).collect();
-    let score = SCORE * page.weight(2.0 * leaflets.reach);
+    let shallow = ((leaflets.nearness - NEAR.0) / (NEAR.1 - NEAR.0)).max(0.0);
+    let score = (SCORE - NEAR.2 * shallow) * page.weight(2.0 * leaflets.reach);
     let (uses, reading) = (group.to_vec(), Reading::Leaf);
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit: None })
 }
@@ -87,6 +89,8 @@ struct Leaflets {
     /// Distance of the farthest point.
     reach: f32,
     outlines: Vec<Vec<Vec2>>,
+    /// Mean distance of the notches between leaflets from the middle in that of those in leaflets.
+    nearness: f32,
 }
 
 impl Leaflets {
@@ -108,8 +112,8 @@ impl Leaflets {
         }
         near.sort_unstable();
         let count = near.len();
-        let is_nearer = mean(&near) < NEAR * mean(&far);
-        if !(LEAFLETS.0..=LEAFLETS.1).contains(&count) || far.len() != count || !is_nearer {
+        let nearness = mean(&near) / mean(&far);
+        if !(LEAFLETS.0..=LEAFLETS.1).contains(&count) || far.len() != count || nearness >= NEAR.1 {
             return None;
         }
         let stretch = |k: usize| -> Vec<usize> {
@@ -130,7 +134,7 @@ impl Leaflets {
         let areas = outlines.iter().map(|leaflet| simple_loop::area(&lobes::rooted(leaflet, middle)));
         let (small, large) = areas.fold((f32::INFINITY, 0.0_f32), |(a, b), area| (a.min(area), b.max(area)));
         let is_clover = stretches.iter().all(is_leaflet) && large < ALIKE * small;
-        is_clover.then_some(Self { middle, reach, outlines })
+        is_clover.then_some(Self { middle, reach, outlines, nearness })
     }
 
     /// The way of a stalk from its foot to the middle, if a straight line is one.
@@ -169,6 +173,16 @@ mod tests {
             assert_eq!(tools.iter().filter(|tool| **tool == Tool::Leaf).count(), count);
             assert!(tools[0] == Tool::Branch && clover.parts[0].points[0].position.length() > 150.0);
         }
+    }
+
+    #[test]
+    fn shallow_notches_speak_against_a_clover() {
+        let of = |share: f32| {
+            let rounded = |p: &Vec2| p.normalize() * (share * p.length() + (1.0 - share) * 100.0);
+            let edge: Vec<Vec2> = leaves(4, 0.4).iter().map(rounded).collect();
+            read(&[edge]).first().map(|clover| clover.score)
+        };
+        assert!(of(1.0).unwrap() > of(0.3).unwrap() + 0.5, "{:?} {:?}", of(1.0), of(0.3));
     }
 
     #[test]

@@ -27,7 +27,7 @@ const HEAD: f32 = 0.25;
 /// Places along the stem.
 const POINTS: usize = 24;
 /// Log-odds.
-const SCORE: f32 = 2.4;
+const SCORE: f32 = 0.9;
 
 /// Proposes a stem for each two sides.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {

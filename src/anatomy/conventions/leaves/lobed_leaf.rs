@@ -9,7 +9,7 @@
 //! Limits: a leaf without a stalk.
 
 use crate::anatomy::conventions::page::{Line, Page, even, notches, tips};
-use crate::anatomy::conventions::shapes::stem_tail;
+use crate::anatomy::conventions::shapes::{outline, stem_tail};
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -142,15 +142,12 @@ impl<'a> Blade<'a> {
     /// Whether a leaf without a midrib has round lobes on both sides and tapers toward its stalk.
     fn is_tapered(&self, along: &Along) -> bool {
         let cut = TAPERED.1 * along.length;
-        let next = self.ring.iter().cycle().skip(1);
-        let pairs = self.ring.iter().zip(next).map(|(a, b)| (*a, *b));
-        let crossings = pairs.filter(|(a, b)| (along.height(*a) < cut) != (along.height(*b) < cut));
-        let across = crossings.map(|(a, _)| along.across(a));
-        let (left, right) = across.fold((f32::INFINITY, f32::NEG_INFINITY), |(l, r), x| (l.min(x), r.max(x)));
+        let ends = outline::ends_at(&self.ring, cut, |p| along.height(p), |p| along.across(p));
+        let foot = ends.map_or(0.0, |(left, right)| right - left);
         along.length > TAPERED.0 * along.width()
             && self.line.solidity() < FULL.2
             && self.has_notches_beside(along)
-            && right - left < TAPERED.2 * along.width()
+            && foot < TAPERED.2 * along.width()
     }
 
     fn has_notches_beside(&self, along: &Along) -> bool {

@@ -9,7 +9,9 @@
 //! | `medial_axis` | the middle lines of an area, a trunk and its arms |
 //! | `lobes` | an outline cut at its notches toward a centre |
 //! | `loops` | loops in a stroke, taken out of its way |
+//! | `outline` | how wide an outline is, and where it stands |
 //! | `spikes` | lines cut into what tapers to a tip |
+//! | `teeth` | lines that are zigzags above the ground |
 //! | `folds` | spikes by the sharp folds of an outline |
 //! | `stem_tail` | a stem in one stroke with what it carries |
 
@@ -20,6 +22,8 @@ pub(crate) mod forks;
 pub(crate) mod lobes;
 pub(crate) mod loops;
 pub(crate) mod medial_axis;
+pub(crate) mod outline;
 pub(crate) mod silhouette;
 pub(crate) mod spikes;
 pub(crate) mod stem_tail;
+pub(crate) mod teeth;

@@ -8,6 +8,7 @@
 
 use super::evidence;
 use crate::anatomy::conventions::page::{Line, Page, even, notches};
+use crate::anatomy::conventions::shapes::outline;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{convex_hull::convex_hull, polyline, simple_loop};
@@ -122,7 +123,7 @@ fn lobes_of(arch: &Line) -> usize {
 /// Whether an area ends below in one level line, as no blade does.
 fn is_level(outline: &[Vec2]) -> bool {
     let (low, high) = polyline::bounds(outline.iter().copied());
-    let (left, right) = evidence::foot(outline, LEVEL.0);
+    let (left, right) = outline::foot(outline, LEVEL.0);
     right.x - left.x > LEVEL.1 * (high.x - low.x)
 }
 
@@ -139,7 +140,7 @@ fn has_berries(page: &Page, group: &[usize], outline: &[Vec2]) -> bool {
 
 /// Whether an area stands on a broad foot.
 fn stands(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> bool {
-    let (left, right) = evidence::foot(outline, FOOT.0);
+    let (left, right) = outline::foot(outline, FOOT.0);
     right.x - left.x > FOOT.1 * (high.x - low.x)
 }
 
@@ -154,7 +155,7 @@ fn is_left(lines: &[&Line], outline: &[Vec2]) -> bool {
 
 /// Stems from the middle of the foot.
 pub(crate) fn stems(outline: &[Vec2], (low, high): (Vec2, Vec2)) -> Vec<Made> {
-    let (left, right) = evidence::foot(outline, FOOT.0);
+    let (left, right) = outline::foot(outline, FOOT.0);
     let foot = Vec2::new(0.5 * (left.x + right.x), high.y);
     let stem = |(degrees, length): (f32, f32)| {
         let along = Vec2::new(degrees.to_radians().sin(), -degrees.to_radians().cos());

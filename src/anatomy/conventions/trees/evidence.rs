@@ -19,9 +19,6 @@ const CENTRES: usize = 2;
 /// Fewest notches of a crown with lobes, and least distance of them from its middle on the average, that of an ellipse being 1.
 pub(crate) const NOTCHES: usize = 3;
 pub(crate) const SHALLOW: f32 = 0.72;
-/// Slopes of the ground that are tried besides the level, and how much of the width of a foot there the outline runs at least.
-const SLOPES: [f32; 2] = [0.1, -0.1];
-const RUNS: f32 = 0.8;
 /// Most lines that draw a crown's outline, least share of it that they draw, and how near they are, in cells of the silhouette.
 const OUTLINE: (usize, f32, f32) = (4, 0.7, 3.0);
 
@@ -86,30 +83,6 @@ pub(crate) fn ramp(measure: f32, (none, full): (f32, f32)) -> f32 {
     ((measure - none) / (full - none)).clamp(0.0, 1.0)
 }
 
-/// Left and right end of the lowest part of an outline of even points, so high as this share of the whole, or of a stretch of it that
-/// runs along ground with a slope, if that is wider: nobody draws quite level.
-pub(crate) fn foot(outline: &[Vec2], share: f32) -> (Vec2, Vec2) {
-    let step = polyline::length(outline) / outline.len().max(1) as f32;
-    let on = |slope: f32| {
-        let height = |p: &Vec2| slope * p.x - p.y;
-        let ends = outline
-            .iter()
-            .map(height)
-            .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
-        let lowest: Vec<Vec2> =
-            outline.iter().copied().filter(|p| height(p) <= ends.0 + share * (ends.1 - ends.0)).collect();
-        let by_place = |a: &&Vec2, b: &&Vec2| a.x.total_cmp(&b.x);
-        let (left, right) = (lowest.iter().min_by(by_place), lowest.iter().max_by(by_place));
-        let foot = left.copied().unwrap_or_default();
-        (foot, right.copied().unwrap_or_default(), lowest.len() as f32 * step)
-    };
-    let width = |foot: &(Vec2, Vec2, f32)| foot.1.x - foot.0.x;
-    let level = on(0.0);
-    let sloped = SLOPES.into_iter().map(on).filter(|foot| foot.2 > RUNS * width(foot));
-    let widest = sloped.fold(level, |best, it| if width(&it) > width(&best) { it } else { best });
-    (widest.0, widest.1)
-}
-
 /// Whether one of these lines is a round outline about the middle of a crown: then that is a corolla. Several are apples, or the
 /// loops of a scribble.
 pub(crate) fn has_flower_centre(lines: &[&Line], outline: &[Vec2]) -> bool {
@@ -155,33 +128,4 @@ pub(crate) fn is_drawn_by_few<'a>(
     let bows = longest.iter().skip(OUTLINE.0).copied().filter(|line| is_bow(line));
     let drawn = few.iter().chain(closing).copied().chain(bows);
     share_along(outline, drawn, OUTLINE.2 * silhouette.cell()) >= OUTLINE.1
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::anatomy::conventions::line;
-    use crate::anatomy::conventions::page::even;
-
-    fn width(outline: &[(f32, f32)]) -> f32 {
-        let (left, right) = foot(&even(&line(outline), 200), 0.12);
-        right.x - left.x
-    }
-
-    #[test]
-    fn ground_with_a_slope_is_a_foot_and_two_tips_that_hang_are_none() {
-        let level = [(0.0, 0.0), (100.0, 0.0), (100.0, -60.0), (0.0, -60.0), (0.0, 0.0)];
-        let sloped = [(0.0, 0.0), (100.0, 10.0), (100.0, -60.0), (0.0, -60.0), (0.0, 0.0)];
-        let hanging = [
-            (0.0, 0.0),
-            (10.0, -40.0),
-            (90.0, -40.0),
-            (100.0, 10.0),
-            (100.0, -60.0),
-            (0.0, -60.0),
-            (0.0, 0.0),
-        ];
-        assert!(width(&level) > 95.0 && width(&sloped) > 95.0, "{} {}", width(&level), width(&sloped));
-        assert!(width(&hanging) < 40.0, "{}", width(&hanging));
-    }
 }

@@ -17,6 +17,7 @@ use super::trunk_sides::TrunkSides;
 use crate::anatomy::conventions::page::{self, Line, Page, even, is_bow, notches};
 use crate::anatomy::conventions::shapes::balls;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::shapes::teeth::is_row_of_teeth;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{
     convex_hull::convex_hull,
@@ -107,7 +108,9 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let rows = Rows::new(&lines)?;
     let size = rows.width_and_height();
-    let is_of_form = size.y > LOWEST * page.diagonal && evidence::has_outline(&lines, size);
+    let is_of_form = size.y > LOWEST * page.diagonal
+        && evidence::has_outline(&lines, size)
+        && !lines.iter().any(|line| is_row_of_teeth(line));
     let has_leaves = || {
         evidence::has_blades(&evidence::without_balls(&lines), size)
             || evidence::has_leaves_at_foot(&lines, page::bounds(lines.iter().copied()))
@@ -374,6 +377,16 @@ mod tests {
             (10.0, 60.0),
         ]);
         assert!(read(&[column]).is_empty());
+    }
+
+    #[test]
+    fn what_stands_in_a_row_of_blades_is_no_tree() {
+        let sides = [line(&[(-9.0, 40.0), (-9.0, -60.0)]), line(&[(9.0, 38.0), (9.0, -60.0)])];
+        let teeth = (0..=16).map(|k| (-120.0 + 15.0 * k as f32, if k % 2 == 1 { 20.0 } else { 44.0 }));
+        let blades = line(&teeth.collect::<Vec<_>>());
+        let tree = [cloud(9.0, 0.0, TAU), sides[0].clone(), sides[1].clone(), blades];
+        assert_eq!(read(&tree[..3]).len(), 1);
+        assert!(read(&tree).iter().all(|tree| !tree.uses.contains(&3)));
     }
 
     #[test]

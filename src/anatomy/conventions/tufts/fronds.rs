@@ -22,8 +22,9 @@ use crate::sketch::Reading;
 use glam::Vec2;
 use std::collections::BTreeSet;
 
-/// Fewest fronds; that many less if all of them hang.
+/// Fewest fronds; one less if all of them hang, or if they are nearly all that is drawn, so much, and one hangs or they are one line in a pot.
 const FEWEST: usize = 3;
+const ALL: f32 = 0.9;
 /// Share of what is drawn about the trunk's top that fronds must be.
 const EXPLAINED: f32 = 0.65;
 /// How far from a single line's end, or from a pot's mouth, closed lines may begin, as a share of their reach: leaves along a stem
@@ -66,7 +67,9 @@ fn potted(page: &Page, pot: &Hypothesis) -> Option<Hypothesis> {
     let lines: Vec<(Vec<Vec2>, usize)> = plant.map(|line| (page.lines[line].points.clone(), line)).collect();
     let crown = Crown::about(mouth, &lines);
     // Blunt tips are those of broad leaves: a crown that stands on a pot has no notches that go down to it.
-    let is_plant = crown.fronds.len() >= FEWEST && crown.has_blades();
+    // Two strokes are a leaf each.
+    let fewest = FEWEST - usize::from(crown.explained > ALL && lines.len() == 1);
+    let is_plant = crown.fronds.len() >= fewest && crown.has_blades();
     let is_whole = crown.explained > EXPLAINED && crown.apart < APART;
     (is_plant && is_whole).then(|| crown.hypothesis(mouth, None))
 }
@@ -88,7 +91,9 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let half = 0.5 * (trunk.foot().y + trunk.top().y);
     rest.retain(|(run, line)| run.iter().any(|p| p.y < half) || !sides.contains(line));
     let crown = crown(trunk.top(), &rest);
-    let fewest = FEWEST - usize::from(!trunk.is_line() && crown.fronds.iter().all(|frond| hangs(&frond.0)));
+    let mut hanging = crown.fronds.iter().map(|frond| hangs(&frond.0));
+    let do_hang = if crown.explained > ALL { hanging.any(|hangs| hangs) } else { hanging.all(|hangs| hangs) };
+    let fewest = FEWEST - usize::from(!trunk.is_line() && do_hang);
     let is_crown = crown.fronds.len() >= fewest && crown.is_sharp() && crown.explained > EXPLAINED;
     if !is_crown
         || crown.reach < LONG * trunk.width()
@@ -272,6 +277,19 @@ mod tests {
     }
 
     #[test]
+    fn two_blades_in_one_line_are_enough_in_a_pot_and_two_strokes_are_leaves() {
+        let blade = |side: f32| {
+            [(1.0, -41.0), (40.0, -80.0), (60.0, -110.0), (35.0, -85.0), (0.0, -44.0)]
+                .map(|(x, y)| Vec2::new(side * x, y))
+                .to_vec()
+        };
+        let mut both = blade(-1.0);
+        both.extend(blade(1.0).into_iter().rev().skip(1));
+        assert_eq!(read(&[pot(), both])[0].parts.len(), 2);
+        assert!(read(&[pot(), blade(-1.0), blade(1.0)]).is_empty());
+    }
+
+    #[test]
     fn leaves_along_a_stem_in_a_pot_are_no_fronds() {
         let leaf = |y: f32, x: f32| {
             let corners = [(0.0, 0.0), (0.5, -14.0), (1.0, -10.0), (0.5, 2.0), (0.0, 0.0)];
@@ -323,6 +341,18 @@ mod tests {
             read(&[stem, twig(20.0, -40.0, -30.0), twig(0.0, 40.0, -50.0), twig(-30.0, -30.0, -80.0)])
                 .is_empty()
         );
+    }
+
+    #[test]
+    fn two_fronds_on_a_trunk_are_a_palm_if_one_hangs() {
+        let frond = |side: f32, bend: f32| {
+            let at = move |t: f32| Vec2::new(10.0 + side * 60.0 * t, -100.0 - 45.0 * t + bend * t * t);
+            (0..=20).map(|k| at(k as f32 / 20.0)).collect::<Vec<_>>()
+        };
+        let [left, right] = sides();
+        let with = |bend: f32| read(&[left.clone(), right.clone(), frond(1.0, bend), frond(-1.0, 0.0)]);
+        assert_eq!(with(90.0).iter().map(|palm| palm.parts.len()).collect::<Vec<_>>(), [3]);
+        assert!(with(0.0).is_empty(), "a fork");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::*;
 use crate::geom::simple_loop;
 use crate::sketch::StrokePoint;
+use std::f32::consts::PI;
 
 fn read(lines: &[Vec<Vec2>]) -> Vec<Hypothesis> {
     crate::anatomy::conventions::read_by(propose, lines)

@@ -23,6 +23,8 @@ const WIDE: f32 = 0.2;
 const BOX: (f32, f32, f32, f32) = (0.7, 0.35, 0.08, 0.15);
 /// Least height of a pot, as a share of its width.
 const LOWEST: f32 = 0.25;
+/// How far below a pot a line that rises may begin, as a share of its height: what stands on a stem is none.
+const UNDER: f32 = 0.3;
 /// Least share of a line below the edge that is the pot's.
 const BELOW: f32 = 0.7;
 
@@ -47,7 +49,10 @@ pub(super) fn pot(view: &View, score: f32) -> Option<Hypothesis> {
     let (low, high) = bounds(uses.iter().map(|line| &view.page.lines[*line]));
     // Ground is wider.
     let is_high = high.y - low.y > LOWEST * (high.x - low.x);
-    is_high.then(|| of_lines(view.page, uses, score)).flatten()
+    let lowest = high.y + UNDER * (high.y - low.y);
+    let goes_on = |line: &Line| line.bounds.1.y > lowest && line.size().y > line.size().x;
+    let is_lowest = !view.lines.iter().any(|line| goes_on(line));
+    (is_high && is_lowest).then(|| of_lines(view.page, uses, score)).flatten()
 }
 
 /// The one line below all others that is a pot by itself.
@@ -108,6 +113,17 @@ mod tests {
         let corners = [(-40.0, -120.0), (-30.0, -170.0), (40.0, -165.0), (45.0, -115.0), (-40.0, -120.0)];
         let stem = line(&[(0.0, -115.0), (3.0, -4.0)]);
         let page = Page::of_lines(&[line(&corners), stem, line(&[(-110.0, 0.0), (0.0, -4.0), (110.0, 2.0)])]);
+        assert!(pot(&View::of(&page, vec![0, 1, 2]).unwrap(), 2.0).is_none());
+    }
+
+    #[test]
+    fn what_stands_on_a_stem_is_no_pot() {
+        let corners = [(-20.0, -100.0), (-18.0, -70.0), (18.0, -70.0), (20.0, -100.0), (-20.0, -100.0)];
+        let petals = line(&[(-4.0, -101.0), (-50.0, -150.0), (0.0, -170.0), (50.0, -150.0), (4.0, -101.0)]);
+        let lines = [line(&corners), petals, line(&[(0.0, -70.0), (2.0, -4.0)])];
+        let page = Page::of_lines(&lines[..2]);
+        assert!(pot(&View::of(&page, vec![0, 1]).unwrap(), 2.0).is_some());
+        let page = Page::of_lines(&lines);
         assert!(pot(&View::of(&page, vec![0, 1, 2]).unwrap(), 2.0).is_none());
     }
 }
