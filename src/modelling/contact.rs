@@ -29,6 +29,8 @@ const ADVANCES: usize = 200;
 /// Most steps along wood with one move of the pointer, longest one, and least that is worth one, radians.
 const SLIDES: usize = 6;
 const SLIDE: (f32, f32) = (0.06, 1e-4);
+/// How far steps along wood may lead from where they begin, in the angle to their target.
+const ASIDE: f32 = 1.5;
 
 /// What becomes of wood that is turned where it meets other wood.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -143,7 +145,9 @@ impl Surroundings {
         }
         let way = Way::new(from, to);
         let is_new = |(number, pair): &(usize, Pair)| !self.touching.contains(&(*number, pair.resting));
-        let near = self.near(from, way.angle).into_iter().filter(is_new);
+        // Along wood it may come farther from where it begins than its target is.
+        let reach = if on_contact == OnContact::Slide { ASIDE * way.angle } else { way.angle };
+        let near = self.near(from, reach).into_iter().filter(is_new);
         let pairs: Vec<Pair> = near.map(|(_, pair)| pair).collect();
         match on_contact {
             OnContact::Slide => self.slide(&pairs, from, to),
@@ -195,7 +199,7 @@ impl Surroundings {
     /// How far a pair may turn on a way until it touches; nothing where it may turn all of it.
     fn angle_free(&self, pair: &Pair, way: &Way) -> Option<f32> {
         let gap = |angle: f32| self.gap(pair, way.at(angle)).0;
-        // Along a surface the gap stays small; so far on, what goes in cannot have come out again.
+        // Along a surface the gap stays small. In a step so short neither passes through the other.
         let bold = BOLD * (pair.moved.radius + self.resting[pair.resting].radius);
         let (mut angle, mut left) = (0.0, gap(0.0));
         for _ in 0..ADVANCES {
