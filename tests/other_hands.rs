@@ -4,7 +4,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
 
-use crate::people::{Drawing, Share, drawings};
+use crate::people::{Drawing, Share, drawings, mix};
 use glam::Vec2;
 use penstemon::anatomy::conventions::{self, ConventionParams, Habit};
 use penstemon::sketch::{Stroke, StrokePoint, Tool};
@@ -101,10 +101,7 @@ fn part(line: &[Vec2], from: f32, to: f32) -> Line {
 
 /// A number from -1 to 1 for another.
 fn noise(number: usize) -> f32 {
-    let mut hash = number as u32;
-    hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
-    hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
-    (hash >> 8) as f32 / (1 << 23) as f32 - 1.0
+    (mix(number as u32) >> 8) as f32 / (1 << 23) as f32 - 1.0
 }
 
 /// The same line drawn again: it strays slowly by up to `most` pixels to each side.

@@ -3,8 +3,8 @@
 //! Internodes are capsules. Those that rest stand in an R-tree, made once when the wood is taken hold of. For a turn all pairs of a capsule
 //! that turns and one that rests are gathered that may touch within its angle, whatever way it takes: branch by branch, each with a ball
 //! around it, then capsule by capsule. How far each pair may turn is found by conservative advancement: two that are so far apart cannot
-//! touch before the farther end of the moved one has gone as far, so the turn goes on by that and is looked at again. No thin twig is jumped
-//! over. Wood within [`JOINT`] radii of the base on either side, and pairs that touch from the beginning, do not count. To slide, what is
+//! touch before the farther end of the moved one has gone as far, so the turn goes on by that and is looked at again, by a
+//! quarter of both radii at least, which is halved where it goes in. No thin twig is jumped over. Wood within [`JOINT`] radii of the base on either side, and pairs that touch from the beginning, do not count. To slide, what is
 //! left of the turn loses its part into the wood that is touched and goes on by a short step, [`SLIDES`] times at most.
 //!
 //! Source: 001 §4.3 asks that wood does not pass through other wood, by one convex hull for each of both parts, which overlap nearly

@@ -231,16 +231,15 @@ impl Hanging {
             let role = Role { part, ..self.role };
             Organ { role, origin, branch, flower: None, shape }
         };
-        let points = path.to_vec();
-        let thread = |head| Shape::Filament { points: points.clone(), radius: self.stalk.y, head };
+        let thread = |head| Shape::Filament { points: path.to_vec(), radius: self.stalk.y, head };
         let stalk = |head| organ(OrganPart::FruitStalk, thread(head));
-        let bare = || (self.stalk.x > 0.0).then(|| stalk(Vec2::ZERO));
         let bodies = match (profile(self.shape), flat) {
             (Some(profile), _) => vec![self.body(profile, path[2], axis)],
             (None, Some(flat)) => flat.blades(path[2], axis, self.aside, self.height),
             (None, None) => return vec![stalk(0.5 * Vec2::new(2.0 * self.radius, self.height))],
         };
-        bare().into_iter().chain(bodies.into_iter().map(|shape| organ(OrganPart::Fruit, shape))).collect()
+        let bare = (self.stalk.x > 0.0).then(|| stalk(Vec2::ZERO));
+        bare.into_iter().chain(bodies.into_iter().map(|shape| organ(OrganPart::Fruit, shape))).collect()
     }
 
     /// The body whose dimple holds the end of the stalk.

@@ -83,9 +83,13 @@ impl Share {
     }
 }
 
-/// A hash of a name: FNV-1a hardly mixes its last bytes, so the rounds that end MurmurHash3 follow.
+/// A hash of a name: FNV-1a hardly mixes its last bytes.
 fn mixed(name: &str) -> u32 {
-    let mut hash = fnv1a(name);
+    mix(fnv1a(name))
+}
+
+/// A number of which all bits depend on all of another: the rounds that end MurmurHash3.
+pub(crate) fn mix(mut hash: u32) -> u32 {
     hash = (hash ^ hash >> 16).wrapping_mul(0x85eb_ca6b);
     hash = (hash ^ hash >> 13).wrapping_mul(0xc2b2_ae35);
     hash ^ hash >> 16
