@@ -7,6 +7,8 @@ struct Material {
     diffuse: vec4<f32>,
     // Specular colour Ks; w is the exponent Ns.
     specular: vec4<f32>,
+    // x: how much higher light places of the picture are than dark ones, in its widths.
+    relief: vec4<f32>,
 };
 
 @group(1) @binding(0) var<uniform> material: Material;

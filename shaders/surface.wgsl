@@ -88,6 +88,34 @@ fn samples_covered(share: f32, pixel: vec2<f32>) -> f32 {
     return max(floor(4.0 * share + noise) / 4.0 - 0.0625, 0.0);
 }
 
+// How high a place of the picture stands, 0 to 1: as `src/picture/relief.rs` says.
+fn height_at(uv: vec2<f32>) -> f32 {
+    let texel = textureSample(picture, picture_sampler, uv);
+    return sqrt(dot(texel.rgb, vec3(0.2126, 0.7152, 0.0722)));
+}
+
+// The normal of the surface with the picture's relief on it. The directions in which u and v grow on the surface come from how position
+// and uv change between neighbouring pixels (Mikkelsen 2010, "Bump Mapping Unparametrized Surfaces on the GPU").
+fn with_relief(normal: vec3<f32>, world: vec3<f32>, uv: vec2<f32>) -> vec3<f32> {
+    let uv_x = dpdx(uv);
+    let uv_y = dpdy(uv);
+    // At least a texel, so that a near surface is smooth, and at least a pixel, so that a far one does not flicker.
+    let reach = max(1.0 / vec2<f32>(textureDimensions(picture)), max(abs(uv_x), abs(uv_y)));
+    let u_step = vec2(reach.x, 0.0);
+    let v_step = vec2(0.0, reach.y);
+    let rise = vec2(
+        height_at(uv + u_step) - height_at(uv - u_step),
+        height_at(uv + v_step) - height_at(uv - v_step),
+    ) / (2.0 * reach);
+    let x = cross(dpdy(world), normal);
+    let y = cross(normal, dpdx(world));
+    let along_u = x * uv_x.x + y * uv_y.x;
+    let along_v = x * uv_x.y + y * uv_y.y;
+    let longest = sqrt(max(dot(along_u, along_u), dot(along_v, along_v)));
+    let side = sign(dot(dpdx(world), x)) * material.relief.x / max(longest, 1e-20);
+    return normalize(normal - side * (rise.x * along_u + rise.y * along_v));
+}
+
 @fragment
 fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let texel = textureSample(picture, picture_sampler, corner.uv);
@@ -98,7 +126,8 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let cut = select(1.0, edge, material.diffuse.w > 0.5);
     let alpha = select(cut, samples_covered(texel.a, corner.clip.xy), material.diffuse.w > 1.5);
 
-    let normal = normalize(corner.normal) * select(-1.0, 1.0, front);
+    var normal = normalize(corner.normal) * select(-1.0, 1.0, front);
+    if material.relief.x > 0.0 { normal = with_relief(normal, corner.world, corner.uv); }
     let eye = toward_eye(corner.world);
     let colour = material.diffuse.rgb * texel.rgb;
     let translucency = material.ambient.w;

@@ -150,6 +150,58 @@ fn a_grown_plant_is_wood_and_leaves() {
     assert_eq!(names(root.meshes.iter().map(|mesh| mesh.name.as_ref()).collect()), ["leaves", "wood"]);
 }
 
+#[test]
+fn bark_has_its_grooves_in_every_format() {
+    let species = Species::built_in("oak").unwrap();
+    let params = pipeline::params_of_species(&species, &[]).unwrap();
+    let grown = pipeline::build(&Seed { number: 1, age: Some(8.0), ..Seed::default() }, &species, &params);
+    let built_in = |name: &str| builtin_texture(name).map(Cow::Borrowed);
+    let scene =
+        Scene::new(&grown.model, (&grown.plant, &grown.provenance), &built_in, Cow::Borrowed("oak")).unwrap();
+    let encode = |file: &str| format_of(Path::new(file)).unwrap().encode(&scene).unwrap();
+    let obj = encode("oak.obj");
+    let mtl = std::str::from_utf8(&obj.companions.last().unwrap().1).unwrap();
+    let named = |key: &str| mtl.lines().filter_map(|line| line.strip_prefix(key)).collect::<Vec<&str>>();
+    let [map] = named("norm ")[..] else { panic!("one material has grooves:\n{mtl}") };
+    assert_eq!(named("map_Bump "), [map]);
+    let (_, of_obj) = obj.companions.iter().find(|(name, _)| name == map).unwrap();
+    let glb = encode("oak.glb").bytes;
+    let root = document(&glb);
+    let with_map: Vec<&json::Material> =
+        root.materials.iter().filter(|material| material.normal_texture.is_some()).collect();
+    let [bark] = with_map[..] else { panic!("one material has grooves: {with_map:?}") };
+    assert_eq!(bark.name.as_deref(), Some("bark"));
+    let texture = &root.textures[bark.normal_texture.as_ref().unwrap().index.value()];
+    let image = &root.images[texture.source.value()];
+    let view = &root.buffer_views[image.buffer_view.unwrap().value()];
+    assert!(image.name.as_ref().unwrap().ends_with("_normal"));
+    // The body of a GLB is its last bytes.
+    let body = glb.len() - root.buffers[0].byte_length.0 as usize;
+    let bytes = &glb[body + view.byte_offset.unwrap().0 as usize..][..view.byte_length.0 as usize];
+    assert!(bytes == &of_obj[..]);
+    let wood = root.meshes.iter().find(|mesh| mesh.name.as_deref() == Some("wood")).unwrap();
+    let semantic = json::validation::Checked::Valid(json::mesh::Semantic::Tangents);
+    let of_material = |name: &str| {
+        let named = |it: &&json::mesh::Primitive| {
+            root.materials[it.material.unwrap().value()].name.as_deref() == Some(name)
+        };
+        wood.primitives.iter().find(named).unwrap().attributes.get(&semantic)
+    };
+    assert!(of_material("twig").is_none());
+    let accessor = &root.accessors[of_material("bark").unwrap().value()];
+    let view = &root.buffer_views[accessor.buffer_view.unwrap().value()];
+    let start = body + view.byte_offset.unwrap().0 as usize + accessor.byte_offset.unwrap().0 as usize;
+    let numbers = glb[start..][..16 * accessor.count.0 as usize].as_chunks::<4>().0;
+    let numbers: Vec<f32> = numbers.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect();
+    for &[x, y, z, w] in numbers.as_chunks::<4>().0 {
+        assert!((Vec3::new(x, y, z).length() - 1.0).abs() < 1e-4 && w.abs() == 1.0, "{x} {y} {z} {w}");
+    }
+    let normals = decode(bytes).unwrap();
+    let leans = |pixel: &&[u8; 4]| pixel[0].abs_diff(128) > 20;
+    let leaning = normals.pixels.as_chunks::<4>().0.iter().filter(leans).count();
+    assert!(10 * leaning > normals.pixels.len() / 4, "{leaning} pixels of grooves");
+}
+
 /// Bytes of a model's meshes and of the places of copies.
 fn bytes_of(model: &Model) -> usize {
     let mesh = |mesh: &Mesh| {

@@ -264,8 +264,13 @@ fn contradictory_models_are_refused_by_name() {
 
 /// A PNG of one pixel per colour, one above the other.
 fn png_column(colours: &[[u8; 4]]) -> Vec<u8> {
+    png_of(1, colours)
+}
+
+/// A PNG of one pixel per colour, so many in a row.
+fn png_of(width: u32, colours: &[[u8; 4]]) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, 1, colours.len() as u32);
+    let mut encoder = png::Encoder::new(&mut bytes, width, colours.len() as u32 / width);
     encoder.set_color(png::ColorType::Rgba);
     encoder.write_header().unwrap().write_image_data(colours.as_flattened()).unwrap();
     bytes
@@ -291,6 +296,33 @@ fn a_texture_stands_upright() {
     assert!(r > 2 * b, "its first row is at the top");
     let [r, _, b, _] = picture.pixel(80, 105).unwrap();
     assert!(b > 2 * r, "its last row is at the foot");
+}
+
+/// The sun stands high: of a dark groove across a wall the lower side is lit, the upper one is not.
+#[test]
+fn a_relief_is_lit_like_a_surface_of_that_shape() {
+    let groove: Vec<[u8; 4]> =
+        (0..16).map(|i| if i / 2 == 4 { [60, 60, 60, 255] } else { [180, 180, 180, 255] }).collect();
+    let upright = quad(Vec3::ZERO, Vec3::X, Vec3::Y);
+    // Its picture lies on its side.
+    let turned = quad(Vec3::Y, Vec3::NEG_Y, Vec3::X);
+    for (wall, width) in [(upright, 1), (turned, 16)] {
+        let sides = |relief: f32| {
+            let texture = Some(Texture::BuiltIn("groove".to_owned()));
+            let stone = Material { texture, relief, ..Material::plain("stone", [1.0; 3]) };
+            let source = |_: &Texture| -> Bytes { Ok(png_of(width, &groove).into()) };
+            let picture = Renderer::new()
+                .unwrap()
+                .picture(&model([(wall.clone(), stone)]), &source, &LEVEL, &SMALL)
+                .unwrap();
+            // The wall is 108 pixels high, its groove between the 61st and the 74th of 120 from above.
+            [58, 77].map(|y| brightness(picture.pixel(80, y).unwrap()))
+        };
+        let ([above, below], [flat_above, flat_below]) = (sides(0.1), sides(0.0));
+        assert!((flat_above / flat_below - 1.0).abs() < 0.1, "{flat_above} {flat_below}");
+        assert!(below > 1.15 * above, "{above} {below}");
+        assert!(above < flat_above && below > flat_below, "{above} {flat_above}, {below} {flat_below}");
+    }
 }
 
 #[test]

@@ -49,7 +49,7 @@ fn square(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture 
 
 /// What is looked at on thick bodies, too.
 fn trunk(name: &'static str, paint: impl Fn(Vec2) -> Lab + 'static) -> Texture {
-    opaque(name, (512, 512), paint)
+    opaque(name, (1024, 1024), paint)
 }
 
 /// The skin of a fruit, which is seen small.
@@ -129,6 +129,8 @@ fn surfaces() -> Vec<Texture> {
         square("twig", bark::twig),
         trunk("bark_fissured", tree_bark::fissured),
         trunk("bark_plated", tree_bark::plated),
+        trunk("bark_cracked", tree_bark::cracked),
+        trunk("bark_stringy", tree_bark::stringy),
         trunk("bark_grey", tree_bark::smooth_grey),
         trunk("bark_cherry", tree_bark::cherry),
         trunk("bark_birch", tree_bark::birch),

@@ -105,6 +105,54 @@ pub(crate) fn plated(p: Vec2) -> Lab {
     lighter(c, 0.16 * shade(p, plates) + 0.03 * tiled(p, 80, 60, 2, 43))
 }
 
+/// Thin scales that lie over one another, 0 to 1, parted by short cracks up the trunk.
+fn scales(p: Vec2) -> f32 {
+    let rough = tiled(p, 50, 36, 4, 142);
+    let layers = 5.0 * (0.5 + 0.8 * tiled(p, 15, 8, 4, 143));
+    let layer = (layers.floor() + smooth(0.0, 0.16, layers - layers.floor())) / 5.0;
+    let left = strip(p, 19, 1, 1.3, 147);
+    let right = strip(p, 16, -2, 1.3, 150);
+    let open = |seed| smooth(-0.1, 0.25, tiled(p, 17, 7, 3, seed));
+    let half = 0.006 + 0.004 * rough;
+    let long = (open(153) * crack(left, half)).max(open(156) * crack(right, half));
+    let across = crack(steps(p, 17, 19, 159), 0.004) * smooth(0.0, 0.3, tiled(p, 20, 14, 2, 165));
+    (1.0 - long.max(0.5 * across)) * (0.45 + 0.5 * layer) + 0.12 * rough
+}
+
+/// Grey bark with short cracks, warm where scales came off: apple, olive.
+pub(crate) fn cracked(p: Vec2) -> Lab {
+    let height = scales(p);
+    let scale = over(hex(0x776b60), hex(0x9d9286), 0.5 + 0.6 * tiled(p, 20, 12, 4, 167));
+    let deep = smooth(0.62, 0.45, height);
+    let scale = over(scale, hex(0x8a6a52), 0.65 * deep * smooth(-0.2, 0.3, tiled(p, 8, 6, 4, 168)));
+    let c = over(hex(0x3d332b), hex(0x64584c), smooth(0.0, 0.3, height));
+    let c = over(c, scale, smooth(0.2, 0.6, height));
+    let lichen = smooth(0.26, 0.34, tiled(p, 8, 9, 6, 161)) * smooth(0.45, 0.7, height);
+    let c = over(c, hex(0xa9ad95), 0.4 * lichen);
+    lighter(c, 0.2 * shade(p, scales) + 0.05 * tiled(p, 100, 70, 2, 163))
+}
+
+/// Long fibres, 0 to 1, in strips that lie beside one another and come loose.
+fn fibres(p: Vec2) -> f32 {
+    let q = p + Vec2::new(0.02 * tiled(p, 3, 4, 3, 170), 0.0);
+    let broad = strip(q, 15, 1, 0.9, 171);
+    let narrow = strip(q, 34, -1, 0.8, 175);
+    let open = smooth(-0.4, 0.1, tiled(p, 15, 3, 2, 179));
+    let cut = (open * crack(broad, 0.011))
+        .max(0.6 * smooth(-0.3, 0.2, tiled(p, 30, 4, 2, 181)) * crack(narrow, 0.007));
+    (1.0 - cut) * (0.72 + 0.35 * tiled(q, 90, 4, 3, 190)) + 0.1 * tiled(q, 18, 3, 2, 193)
+}
+
+/// Red-brown strips of fibres, weathered grey: cypress, ivy.
+pub(crate) fn stringy(p: Vec2) -> Lab {
+    let height = fibres(p);
+    let strip = over(hex(0x7d5b47), hex(0xa68c78), 0.5 + 0.8 * tiled(p, 16, 3, 4, 195));
+    let strip = over(strip, hex(0xa39a90), 0.55 * smooth(-0.1, 0.35, tiled(p, 9, 4, 4, 196)));
+    let c = over(hex(0x33231b), hex(0x66483a), smooth(0.0, 0.4, height));
+    let c = over(c, strip, smooth(0.25, 0.75, height));
+    lighter(c, 0.16 * shade(p, fibres) + 0.03 * tiled(p, 120, 12, 2, 197))
+}
+
 /// Where a branch was shed, seen from the point: distance to its eye in radii, and distance below the brow over it.
 fn scar(p: Vec2, middle: Vec2, radius: f32) -> (f32, f32) {
     let d = (p - middle + 1.5).fract() - 0.5;

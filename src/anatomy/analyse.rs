@@ -167,6 +167,8 @@ fn analysis(cache: &mut Cache, sketch: &Sketch, params: &AnatomyParams, stop: St
     anatomy.warnings = warnings.into_vec();
     let drawn = |stroke| anatomy.pieces.get(&stroke).map_or(stroke, Piece::first);
     anatomy.warnings.iter_mut().for_each(|warning| warning.stroke = warning.stroke.map(drawn));
+    // Blades that were drawn in one stroke have one remark.
+    anatomy.warnings.dedup();
     let read = marks(readings, &anatomy.petals, &gathering.centres);
     anatomy.marks = of_drawn(&sketch.strokes, &anatomy.pieces, read);
     anatomy

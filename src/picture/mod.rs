@@ -10,10 +10,12 @@ mod bilinear;
 pub mod decode;
 mod format;
 mod recolour;
+mod relief;
 
 pub use bilinear::around;
 pub use format::PictureFormat;
 pub use recolour::recoloured;
+pub use relief::normal_map;
 
 use crate::input;
 use crate::random::mix;

@@ -2,15 +2,15 @@
 //!
 //! What may go is foliage, in pieces: a leaf that nobody drew, a flower of which nothing was drawn. All flowers on one receptacle, as
 //! those of a daisy, are one flower with it and its bracts. A share of all goes evenly, so that as few flowers as there are on a rose
-//! lose that share, too; leaves that stay are larger, so that they cover about what all did.
+//! lose that share, too; leaves and small flowers that stay are larger, so that they cover about what all did.
 
 use crate::geom::polyline;
-use crate::plant::{Blade, FinishedPlant, Organ, OrganKind, OrganPart, Plant, Shape};
+use crate::plant::{Blade, Detail, FinishedPlant, Motion, Organ, OrganKind, OrganPart, Plant, Shape};
 use crate::random::{mix, unit};
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How much larger leaves become at most.
+/// How much larger leaves and small flowers become at most.
 const LARGER: f32 = 2.0;
 /// How far from the middle of a receptacle its flowers and bracts stand, in its radii.
 const AROUND: f32 = 1.25;
@@ -19,6 +19,8 @@ const AROUND: f32 = 1.25;
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     is_flower: bool,
+    /// Where the petals of a small flower meet, from where it becomes larger; large ones keep their size.
+    middle: Option<Vec3>,
     /// From 0 to 1: of a share of all those go whose number is not below it.
     order: f32,
 }
@@ -41,13 +43,19 @@ impl Foliage {
         sorted.sort_by_key(|flower| mix(1, *flower as u64));
         let rank: BTreeMap<usize, usize> =
             sorted.iter().enumerate().map(|(rank, flower)| (*flower, rank)).collect();
+        let small = small_flowers(plant);
+        let middle_of = |flower: usize| (*small.get(flower)?).then(|| plant.flowers[flower].cone.apex);
         let piece = |(index, organ): (usize, &Organ)| {
             if let Some(flower) = flowers[index] {
-                return Some(Piece { is_flower: true, order: rank[&flower] as f32 / rank.len() as f32 });
+                let order = rank[&flower] as f32 / rank.len() as f32;
+                return Some(Piece { is_flower: true, middle: middle_of(flower), order });
             }
             let is_leaf = matches!(organ.kind(), OrganKind::Leaf | OrganKind::Petiole);
-            (is_leaf && organ.flower.is_none() && !organ.origin.is_drawn())
-                .then(|| Piece { is_flower: false, order: unit(mix(2, index as u64)) })
+            (is_leaf && organ.flower.is_none() && !organ.origin.is_drawn()).then(|| Piece {
+                is_flower: false,
+                middle: None,
+                order: unit(mix(2, index as u64)),
+            })
         };
         let of_organ: Vec<Option<Piece>> = plant.organs.iter().enumerate().map(piece).collect();
         let leaves = of_organ.iter().flatten().filter(|piece| !piece.is_flower).count();
@@ -59,6 +67,18 @@ impl Foliage {
         let organs = plant.organs.iter().zip(&self.of_organ);
         organs.filter(|(_, piece)| piece.is_some_and(|piece| piece.is_flower)).map(|(organ, _)| organ)
     }
+}
+
+/// For each flower whether it is small: one of very many, whose petals are of reduced detail.
+fn small_flowers(plant: &Plant) -> Vec<bool> {
+    let mut small = vec![false; plant.flowers.len()];
+    for organ in &plant.organs {
+        if let (Some(flower), Shape::Blade(blade)) = (organ.flower, &organ.shape) {
+            small[flower] |= plant.templates[blade.template].detail() == Detail::Reduced
+                && organ.kind() == OrganKind::Petal;
+        }
+    }
+    small
 }
 
 /// A receptacle with several flowers.
@@ -116,22 +136,37 @@ fn flowers(plant: &Plant) -> Vec<Option<usize>> {
 
 /// The plant with such shares of its leaves and of its flowers; of flowers at least one, unless the share is 0.
 pub(super) fn thinned(plant: &FinishedPlant, [leaves, flowers]: [f32; 2]) -> FinishedPlant {
-    let larger = leaves.max(f32::MIN_POSITIVE).powf(-0.5).min(LARGER);
+    let larger = |share: f32| share.max(f32::MIN_POSITIVE).powf(-0.5).min(LARGER);
     let mut pieces = Foliage::of(plant).of_organ.into_iter();
     let mut plant = plant.clone();
     plant.reshape(|plant| {
         plant.organs.retain_mut(|organ| {
-            let Some(Piece { is_flower, order }) = pieces.next().flatten() else { return true };
-            if let (Shape::Blade(Blade { u, v, .. }) | Shape::Card { u, v, .. }, false) =
-                (&mut organ.shape, is_flower)
-            {
-                (*u, *v) = (*u * larger, *v * larger);
+            let Some(Piece { is_flower, middle, order }) = pieces.next().flatten() else { return true };
+            let share = if is_flower { flowers } else { leaves };
+            match (&mut organ.shape, middle) {
+                (Shape::Blade(Blade { u, v, .. }) | Shape::Card { u, v, .. }, _) if !is_flower => {
+                    (*u, *v) = (*u * larger(share), *v * larger(share));
+                }
+                (_, Some(from)) => {
+                    organ.move_by(&Motion { turn: Quat::IDENTITY, from, to: from, size: larger(share) });
+                }
+                _ => {}
             }
-            order < if is_flower { flowers } else { leaves }
+            order < share
         });
         plant.drop_unused_templates();
     });
     plant
+}
+
+/// The plant without the stamens and styles of small flowers.
+pub(super) fn without_stamens(plant: &FinishedPlant) -> FinishedPlant {
+    let small = small_flowers(plant);
+    let goes = |organ: &Organ| {
+        let is_of_small = organ.flower.is_some_and(|flower| small[flower]);
+        is_of_small && matches!(organ.shape, Shape::Filament { .. }) && !organ.origin.is_drawn()
+    };
+    without(plant, plant.organs.iter().map(goes))
 }
 
 /// The plant with such a share of the thorns that nobody drew.

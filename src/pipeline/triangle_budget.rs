@@ -2,8 +2,9 @@
 //!
 //! Fewer are asked for: a plant without much foliage becomes coarser. Foliage is leaves and flowers that nobody drew. A plant with
 //! leaves and small flowers, as a tree, gives wood two fifths of the triangles, or what foliage leaves of them: it becomes coarser,
-//! and if that is not enough its thinnest twigs go. Foliage has the rest: leaves get fewer corners, then some go, evenly over the
-//! crown, and those that stay are larger, so that they cover about what all did.
+//! and if that is not enough its thinnest twigs go. Foliage has the rest: leaves and petals get fewer corners, flowers lose their
+//! stamens and most of their discs' sides, then some of both go, evenly over the crown, and those that stay are larger, so that they
+//! cover about what all did.
 //!
 //! A plant with large flowers, as a rose, first has coarser flowers, then coarser leaves and wood. Then whole flowers go, and with
 //! them the same share of leaves; leaves fill up what a flower more would be too much for. One flower always stays, and so does its
@@ -19,7 +20,7 @@
 //! plant of many has more than it should, as a daisy at its coarsest; flowers of umbels, as of a dandelion, go one by one. A plant
 //! at its finest may have fewer, as one with cards for foliage. The plant's list of flowers keeps those that went.
 
-use super::thinning::{Foliage, OnTwigs, thinned, with_fruits, with_thorns, without_twigs};
+use super::thinning::{Foliage, OnTwigs, thinned, with_fruits, with_thorns, without_stamens, without_twigs};
 use crate::cards;
 use crate::geom::simple_loop::{area, hull_area};
 use crate::model::{self, ModelParams};
@@ -36,8 +37,10 @@ const WOOD: f32 = 0.4;
 /// The largest such share, or what is left when foliage that is few triangles, as cards, loses this share of them.
 const MOST_WOOD: f32 = 0.8;
 const LOST: f32 = 0.15;
-/// Corners of leaves of which less than such a share would stay with more.
+/// Corners of leaves and petals of which less than such a share would stay with more.
 const FEWER_CORNERS: (f32, u32) = (0.5, 6);
+/// Sides and rows of the discs of flowers where foliage has few corners.
+const SIMPLE_DISC: (u32, u32) = (10, 1);
 /// Leaves that fill less than this share of their convex hull, as sprays of needles do, keep their corners.
 const SPIKY: f32 = 0.6;
 /// How much finer a plant becomes at most.
@@ -321,16 +324,27 @@ fn with_foliage(
     }
     let of_wood = budget.count(&thinned(&plant, [0.0; 2]), &params);
     let rest = wanted.saturating_sub(of_wood);
-    let stays = |params: &ModelParams| {
-        let all = budget.count(&plant, params).saturating_sub(of_wood).max(1);
+    let stays = |plant: &FinishedPlant, params: &ModelParams| {
+        let all = budget.count(plant, params).saturating_sub(of_wood).max(1);
         (rest as f32 / all as f32).min(1.0)
     };
-    let mut share = stays(&params);
-    if share < FEWER_CORNERS.0 && !plant.templates.iter().any(is_spiky) {
-        params.blade.template_outline_points = FEWER_CORNERS.1;
-        share = stays(&params);
+    let mut share = stays(&plant, &params);
+    if share < FEWER_CORNERS.0 {
+        plant = without_stamens(&plant);
+        simplify(&mut params, &plant);
+        share = stays(&plant, &params);
     }
     (kept(&plant, &params, (share, of_wood), budget), params)
+}
+
+/// Fewer corners of leaves and petals that are copies, fewer sides and rows of the discs of flowers.
+fn simplify(params: &mut ModelParams, plant: &FinishedPlant) {
+    let (corners, (sides, rows)) = (&mut params.blade.template_outline_points, SIMPLE_DISC);
+    if !plant.templates.iter().any(is_spiky) {
+        *corners = (*corners).min(FEWER_CORNERS.1);
+    }
+    (params.solid.sides, params.solid.dome_rows) =
+        (params.solid.sides.min(sides), params.solid.dome_rows.min(rows));
 }
 
 /// Whether many copies of this outline would be something else with fewer corners.
@@ -391,6 +405,31 @@ mod tests {
                 "{species} of {age} years: {count} triangles of {wanted}"
             );
             assert_eq!(built.plant.check_invariants(), Ok(()));
+        }
+    }
+
+    /// Area that the organs of a kind cover, m².
+    fn covered(built: &crate::pipeline::Built, kind: OrganKind) -> f32 {
+        let of = |organ: &Organ| match &organ.shape {
+            Shape::Blade(blade) if organ.kind() == kind => {
+                blade.u.cross(blade.v).length() * area(built.plant.templates[blade.template].outline())
+            }
+            _ => 0.0,
+        };
+        built.plant.organs.iter().map(of).sum()
+    }
+
+    #[test]
+    fn a_tree_in_blossom_stays_one_with_few_triangles() {
+        let whole = grown("cherry", 12.0, 0);
+        let triangles = whole.model.triangle_count() as u32;
+        for share in [2, 4] {
+            let fewer = grown("cherry", 12.0, triangles / share);
+            for kind in [OrganKind::Petal, OrganKind::Leaf] {
+                let left = covered(&fewer, kind) / covered(&whole, kind);
+                assert!((0.8..1.25).contains(&left), "{left} of {kind:?} at 1/{share} of the triangles");
+            }
+            assert_eq!(fewer.plant.check_invariants(), Ok(()));
         }
     }
 

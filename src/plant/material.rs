@@ -49,6 +49,9 @@ pub struct Material {
     pub translucency: f32,
     /// Picture multiplied onto the diffuse colour.
     pub texture: Option<Texture>,
+    /// How much higher light places of the picture are than dark ones, in widths of the picture, 0 to 0.2: bark has grooves.
+    #[serde(default)]
+    pub relief: f32,
     /// Whether the picture's alpha cuts the surface out.
     pub cut_out: bool,
     /// Where the surface is cut out: the picture's opacity is how much of a place is covered, as that of a plant from afar; otherwise there is
@@ -72,6 +75,7 @@ impl Material {
             shininess: 20.0,
             translucency: 0.0,
             texture: None,
+            relief: 0.0,
             cut_out: false,
             covers_in_part: false,
             double_sided: false,

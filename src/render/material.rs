@@ -29,6 +29,7 @@ struct MaterialUniform {
     ambient: Vec4,
     diffuse: Vec4,
     specular: Vec4,
+    relief: Vec4,
 }
 
 impl From<&Material> for MaterialUniform {
@@ -39,6 +40,7 @@ impl From<&Material> for MaterialUniform {
             ambient: Vec3::from(m.ambient).extend(m.translucency),
             diffuse: Vec3::from(m.diffuse).extend(cut_out),
             specular: Vec3::from(m.specular).extend(m.shininess),
+            relief: Vec4::new(if m.texture.is_some() { m.relief } else { 0.0 }, 0.0, 0.0, 0.0),
         }
     }
 }

@@ -3,7 +3,7 @@
 //! A drawn mushroom is one branch, as thick at each height as was drawn. Its stalk stays one; from where it widens, its radii
 //! are the profile of two bodies: the skin, from the rim over the top, and the underside within the rim, whose foot sits on the stalk. So
 //! skin and underside have a picture each, which no ring of the wood cuts, and the top is as round as drawn.
-//! Limits: only branches on which no other and no flower grows; the cap stands on a straight axis.
+//! Limits: only where no branch and no flower grows on what is wide; the cap stands on a straight axis.
 
 use crate::geom::polyline;
 use crate::plant::{Branch, Organ, OrganPart, Plant, Role, Shape};
@@ -32,13 +32,17 @@ pub(super) const UNDERSIDE: u32 = 1;
 
 /// Makes caps of all branches that have one, and gives them.
 pub(super) fn caps(plant: &mut Plant) -> Vec<Organ> {
-    let mut is_bare = vec![true; plant.branches.len()];
-    let carried = plant.branches.iter().filter_map(|branch| branch.parent);
-    let carried = carried.chain(plant.flowers.iter().filter_map(|flower| flower.branch));
-    carried.for_each(|on| is_bare[on] = false);
+    let mut carried: Vec<Vec<Vec3>> = vec![Vec::new(); plant.branches.len()];
+    let branches = plant.branches.iter().filter_map(|branch| Some((branch.parent?, branch.points[0])));
+    let flowers = plant.flowers.iter().filter_map(|flower| Some((flower.branch?, flower.cone.apex)));
+    branches.chain(flowers).for_each(|(on, place)| carried[on].push(place));
     let mut organs = Vec::new();
-    for (index, branch) in plant.branches.iter_mut().enumerate().filter(|(index, _)| is_bare[*index]) {
+    for ((index, branch), carried) in plant.branches.iter_mut().enumerate().zip(carried) {
         let Some(cap) = Cap::of(branch) else { continue };
+        let foot = branch.points[cap.foot];
+        if carried.iter().any(|place| (*place - foot).dot(cap.axis) > 0.0) {
+            continue;
+        }
         let organ = |variant, shape| Organ {
             role: Role { variant, ..Role::of(OrganPart::Fruit) },
             origin: branch.origin,
@@ -174,13 +178,21 @@ mod tests {
     }
 
     #[test]
-    fn stems_and_what_carries_something_have_none() {
+    fn stems_have_none_nor_what_carries_something_up_there() {
         let mut plant = mushroom();
         plant.branches[0].radii.fill(0.1);
         assert!(caps(&mut plant).is_empty());
         let mut plant = mushroom();
-        plant.branches.push(Branch { parent: Some(0), level: 1, ..plant.branches[0].clone() });
-        plant.branches[1].radii.fill(0.1);
+        let points = vec![Vec3::Y * 0.7, Vec3::new(0.8, 0.8, 0.0)];
+        plant.branches.push(Branch {
+            parent: Some(0),
+            level: 1,
+            points,
+            radii: vec![0.05; 2],
+            ..plant.branches[0].clone()
+        });
         assert!(caps(&mut plant).is_empty());
+        plant.branches[1].points = vec![Vec3::Y * 0.2, Vec3::new(0.3, 0.3, 0.0)];
+        assert_eq!(caps(&mut plant).len(), 2, "grass at the foot of a mushroom");
     }
 }

@@ -131,6 +131,8 @@ crate::parameters! {
         shininess: f32 = 20.0, 0.0..=1000.0, "";
         /// Share of light that passes through, 0 to 1.
         translucency: f32 = 0.0, 0.0..=1.0, "";
+        /// How much higher light places of the picture are than dark ones, 0 to 0.2.
+        relief: f32 = 0.0, 0.0..=0.2, "widths of the picture";
         others:
         /// Colour, multiplied with the texture: `#rrggbb` in the file, linear RGB here.
         color: [f32; 3] = [1.0; 3], read_colour;
@@ -150,6 +152,7 @@ impl MaterialLook {
             specular: [self.specular; 3],
             shininess: self.shininess,
             translucency: self.translucency,
+            relief: self.relief,
             texture: self.texture.clone(),
             cut_out: self.cut_out,
             double_sided: self.double_sided,

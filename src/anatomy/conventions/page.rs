@@ -138,6 +138,15 @@ impl Page {
         self.apart.binary_search(&line).is_ok()
     }
 
+    /// Groups of lines that touch one another, but for some lines and those that are apart.
+    pub(super) fn groups_without(&self, lines: impl Iterator<Item = usize>) -> Vec<Vec<usize>> {
+        let mut apart: Vec<usize> = self.apart.iter().copied().chain(lines).collect();
+        apart.sort_unstable();
+        let mut groups = groups(&self.lines, TOUCH * self.diagonal, &apart);
+        groups.retain(|group| apart.binary_search(&group[0]).is_err());
+        groups
+    }
+
     fn group(&mut self) {
         let mut touching = groups(&self.lines, TOUCH * self.diagonal, &self.apart);
         let mut near = groups(&self.lines, NEAR * self.diagonal, &self.apart);

@@ -137,7 +137,36 @@ fn habit(chosen: &[Hypothesis], strokes: usize) -> Option<Habit> {
         let (count, used) = votes.entry(habit).or_default();
         (*count, *used) = (*count + 1, *used + hypothesis.uses.len());
     }
+    // Grass grows under all others, however many tufts there are.
+    if votes.len() > 1 {
+        votes.remove(&Habit::Grass);
+    }
     let most = votes.values().map(|(count, _)| *count).max()?;
     let (habit, (_, used)) = votes.into_iter().find(|(_, (count, _))| *count == most)?;
     (used as f32 >= SHOWN * strokes as f32).then_some(habit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sketch::Reading;
+
+    #[test]
+    fn grass_says_what_a_drawing_shows_only_where_nothing_else_does() {
+        let shown = |habits: &[Habit]| {
+            let one = |(line, kind): (usize, &Habit)| Hypothesis {
+                uses: vec![line],
+                score: 1.0,
+                parts: Vec::new(),
+                solids: Vec::new(),
+                reading: Reading::Grass,
+                habit: Some(*kind),
+            };
+            habit(&habits.iter().enumerate().map(one).collect::<Vec<_>>(), habits.len())
+        };
+        assert_eq!(shown(&[Habit::Grass, Habit::Grass]), Some(Habit::Grass));
+        assert_eq!(shown(&[Habit::Grass, Habit::Mushroom, Habit::Grass]), Some(Habit::Mushroom));
+        assert_eq!(shown(&[Habit::Tree, Habit::Grass, Habit::Grass]), Some(Habit::Tree));
+        assert_eq!(shown(&[]), None);
+    }
 }

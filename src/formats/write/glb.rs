@@ -1,7 +1,7 @@
 //! Binary glTF 2.0: one file with everything in it.
 //!
 //! Two chunks: the JSON document, then one buffer: interleaved vertices (position, normal, UV; 32 bytes each), 32-bit
-//! indices, 16-bit indices for meshes that need no more, poses of copies, pictures. One buffer view per region; accessors point into
+//! indices, 16-bit indices for meshes that need no more, tangents of meshes that have a normal map, poses of copies, pictures. One buffer view per region; accessors point into
 //! them. The node tree is in `gltf_tree.rs`, looks in `gltf_materials.rs`.
 //!
 //! Positions are relative to their part's pivot; v runs downward in glTF, so v' = 1 − v. The document is written
@@ -9,18 +9,19 @@
 
 use super::error::ExportError;
 use super::exporter::{Encoded, Exporter, Takes};
-use super::gltf_buffer::{VERTEX_BYTES, accessor, view};
+use super::gltf_buffer::{TANGENT_BYTES, VERTEX_BYTES, accessor, view};
 use super::gltf_instances;
 use super::gltf_levels;
 use super::gltf_materials::push_materials;
 use super::gltf_tree::push_nodes;
 use super::image_files::ImageFiles;
 use super::scene::Scene;
+use super::tangents::tangents;
 use crate::model::{Mesh, Part};
 use glam::Vec3;
 use gltf_json as json;
 use json::accessor::{ComponentType, Type};
-use json::buffer::{Target, View};
+use json::buffer::{Stride, Target, View};
 use json::mesh::Semantic;
 use json::validation::{Checked::Valid, USize64};
 use json::{Accessor, Index};
@@ -48,7 +49,7 @@ impl Exporter for Glb {
     fn encode(&self, scene: &Scene<'_>) -> Result<Encoded, ExportError> {
         scene.surfaces()?;
         let pictures = ImageFiles::of(scene)?;
-        let bodies: Vec<Body<'_>> = bodies(scene).collect();
+        let bodies: Vec<Body<'_>> = bodies(scene, &pictures).collect();
         let regions = Regions::of(&bodies, gltf_instances::table_bytes(scene), &pictures);
         let mut out = vec![0; HEADER_BYTES + CHUNK_HEADER_BYTES];
         serde_json::to_writer(&mut out, &document(scene, &bodies, &pictures, &regions)?)?;
@@ -77,23 +78,29 @@ struct Body<'a> {
     pivot: Vec3,
     /// Materials with their triangles.
     slots: Vec<(usize, Range<usize>)>,
+    /// For each of these whether it has a normal map.
+    has_relief: Vec<bool>,
+}
+
+impl Body<'_> {
+    /// Whether it has tangents.
+    fn has_tangents(&self) -> bool {
+        self.has_relief.contains(&true)
+    }
 }
 
 /// Parts with a surface, then shapes.
-fn bodies<'a>(scene: &'a Scene<'_>) -> impl Iterator<Item = Body<'a>> {
+fn bodies<'a>(scene: &'a Scene<'_>, pictures: &'a ImageFiles) -> impl Iterator<Item = Body<'a>> {
+    let relief = |slots: &[(usize, Range<usize>)]| {
+        slots.iter().map(|(material, _)| pictures.relief_of_material[*material].is_some()).collect()
+    };
     let parts = scene.model.parts.iter().filter(|part| !part.mesh.triangles.is_empty());
-    let parts = parts.map(|part| Body {
-        name: &part.name,
-        mesh: &part.mesh,
-        pivot: part.pivot,
-        slots: part.material_slots().collect(),
-    });
-    let shapes = scene.groups().iter().map(|group| Body {
-        name: &group.shape.name,
-        mesh: &group.shape.mesh,
-        pivot: Vec3::ZERO,
-        slots: group.shape.material_slots().collect(),
-    });
+    let body = move |part: &'a Part, pivot: Vec3| {
+        let slots: Vec<_> = part.material_slots().collect();
+        Body { name: &part.name, mesh: &part.mesh, pivot, has_relief: relief(&slots), slots }
+    };
+    let parts = parts.map(move |part| body(part, part.pivot));
+    let shapes = scene.groups().iter().map(move |group| body(&group.shape, Vec3::ZERO));
     parts.chain(shapes)
 }
 
@@ -106,6 +113,7 @@ fn is_narrow(mesh: &Mesh) -> bool {
 struct Regions {
     wide: usize,
     narrow: usize,
+    tangents: usize,
     poses: usize,
     pictures: usize,
     end: usize,
@@ -119,10 +127,13 @@ impl Regions {
         };
         let wide = VERTEX_BYTES * surfaces().map(|mesh| mesh.vertices.len()).sum::<usize>();
         let narrow = wide + 4 * indices(false);
-        let first_pose = (narrow + 2 * indices(true)).next_multiple_of(4);
-        let first_picture = first_pose + table_bytes;
+        let tangents = (narrow + 2 * indices(true)).next_multiple_of(4);
+        let with_tangents = bodies.iter().filter(|body| body.has_tangents());
+        let poses =
+            tangents + with_tangents.map(|body| TANGENT_BYTES * body.mesh.vertices.len()).sum::<usize>();
+        let first_picture = poses + table_bytes;
         let picture_bytes: usize = pictures.all.iter().map(|p| p.bytes.len().next_multiple_of(4)).sum();
-        Self { wide, narrow, poses: first_pose, pictures: first_picture, end: first_picture + picture_bytes }
+        Self { wide, narrow, tangents, poses, pictures: first_picture, end: first_picture + picture_bytes }
     }
 }
 
@@ -171,11 +182,12 @@ fn push_images(root: &mut json::Root, pictures: &ImageFiles, regions: &Regions) 
     }
 }
 
-/// The views of vertices and indices, and how far each is used up.
+/// The views of vertices, indices and tangents, and how far each is used up.
 struct Cursor {
     vertices: (Index<View>, usize),
     wide: (Option<Index<View>>, usize),
     narrow: (Option<Index<View>>, usize),
+    tangents: (Option<Index<View>>, usize),
 }
 
 impl Cursor {
@@ -190,7 +202,12 @@ impl Cursor {
         };
         let wide = indices(regions.wide, regions.narrow - regions.wide);
         let narrow = indices(regions.narrow, narrow_bytes);
-        Self { vertices: (vertices, 0), wide: (wide, 0), narrow: (narrow, 0) }
+        let of_tangents = regions.poses - regions.tangents;
+        let tangents = (of_tangents > 0).then(|| {
+            let view = view(regions.tangents, of_tangents, Some(Target::ArrayBuffer));
+            root.push(View { byte_stride: Some(Stride(TANGENT_BYTES)), ..view })
+        });
+        Self { vertices: (vertices, 0), wide: (wide, 0), narrow: (narrow, 0), tangents: (tangents, 0) }
     }
 
     fn push_mesh(
@@ -215,16 +232,23 @@ impl Cursor {
             (Valid(Semantic::TexCoords(0)), root.push(attribute(UV_OFFSET, Type::Vec2))),
         ];
         let attributes: BTreeMap<_, _> = attributes.into();
-        let primitive = |(material, triangles): (usize, Range<usize>)| json::mesh::Primitive {
-            attributes: attributes.clone(),
-            indices: Some(root.push(self.indices(mesh, triangles.len()))),
-            material: materials[material],
-            mode: Valid(json::mesh::Mode::Triangles),
-            targets: None,
-            extensions: None,
-            extras: Default::default(),
+        let tangents = body.has_tangents().then(|| root.push(self.tangents(mesh)));
+        let attributes_of = |has_relief: bool| {
+            let tangents = tangents.filter(|_| has_relief).map(|it| (Valid(Semantic::Tangents), it));
+            attributes.clone().into_iter().chain(tangents).collect()
         };
-        let primitives = body.slots.iter().cloned().map(primitive).collect();
+        let primitive =
+            |((material, triangles), has_relief): ((usize, Range<usize>), bool)| json::mesh::Primitive {
+                attributes: attributes_of(has_relief),
+                indices: Some(root.push(self.indices(mesh, triangles.len()))),
+                material: materials[material],
+                mode: Valid(json::mesh::Mode::Triangles),
+                targets: None,
+                extensions: None,
+                extras: Default::default(),
+            };
+        let slots = body.slots.iter().cloned().zip(body.has_relief.iter().copied());
+        let primitives = slots.map(primitive).collect();
         root.push(json::Mesh {
             name: Some(body.name.to_owned()),
             primitives,
@@ -232,6 +256,13 @@ impl Cursor {
             extensions: None,
             extras: Default::default(),
         })
+    }
+
+    /// The tangents of the next mesh that has some.
+    fn tangents(&mut self, mesh: &Mesh) -> Accessor {
+        let start = self.tangents.1;
+        self.tangents.1 += TANGENT_BYTES * mesh.vertices.len();
+        accessor(self.tangents.0, start, mesh.vertices.len(), ComponentType::F32, Type::Vec4)
     }
 
     /// The indices of the next triangles of a mesh.
@@ -268,6 +299,11 @@ fn write_buffer(out: &mut Vec<u8>, bodies: &[Body<'_>], scene: &Scene<'_>, pictu
         }
     }
     pad(out, 0);
+    for body in bodies.iter().filter(|body| body.has_tangents()) {
+        out.extend(
+            tangents(body.mesh).iter().flat_map(|tangent| tangent.to_array()).flat_map(f32::to_le_bytes),
+        );
+    }
     gltf_instances::write_tables(out, scene);
     for picture in &pictures.all {
         out.extend_from_slice(&picture.bytes);

@@ -8,6 +8,8 @@ use json::{Accessor, Index};
 
 /// Bytes of a vertex: position, normal and texture coordinates, one after the other.
 pub(super) const VERTEX_BYTES: usize = 32;
+/// Bytes of a tangent.
+pub(super) const TANGENT_BYTES: usize = 16;
 
 /// So many bytes of the buffer; those for vertices hold whole vertices.
 pub(super) fn view(offset: usize, length: usize, target: Option<Target>) -> View {

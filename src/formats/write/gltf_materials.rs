@@ -23,8 +23,9 @@ pub(super) fn push_materials(
     let mut pushed = Vec::with_capacity(scene.model.materials.len());
     let mut used_extensions = BTreeSet::new();
     for (i, (material, used)) in scene.model.materials.iter().zip(scene.used_materials()).enumerate() {
-        let texture = pictures.of_material[i].map(|picture| textures[picture]);
-        let converted = if used { Some(converted(material, texture)?) } else { None };
+        let [colour, relief] = [&pictures.of_material, &pictures.relief_of_material]
+            .map(|of_material| of_material[i].map(|picture| textures[picture]));
+        let converted = if used { Some(converted(material, colour, relief)?) } else { None };
         let extensions = converted.iter().filter_map(|material| material.extensions.as_ref());
         used_extensions.extend(extensions.flat_map(|extensions| extensions.others.keys().cloned()));
         pushed.push(converted.map(|material| root.push(material)));
@@ -55,6 +56,7 @@ fn push_textures(root: &mut json::Root, pictures: &ImageFiles) -> Vec<Index<json
 fn converted(
     material: &Material,
     texture: Option<Index<json::Texture>>,
+    relief: Option<Index<json::Texture>>,
 ) -> serde_json::Result<json::Material> {
     let [r, g, b] = material.diffuse.map(|c| c.clamp(0.0, 1.0));
     let base_color_texture = texture.map(|index| texture::Info {
@@ -72,6 +74,13 @@ fn converted(
             material::AlphaMode::Opaque
         }),
         double_sided: material.double_sided,
+        normal_texture: relief.map(|index| material::NormalTexture {
+            index,
+            scale: 1.0,
+            tex_coord: 0,
+            extensions: None,
+            extras: Default::default(),
+        }),
         pbr_metallic_roughness: material::PbrMetallicRoughness {
             base_color_factor: material::PbrBaseColorFactor([r, g, b, 1.0]),
             base_color_texture,

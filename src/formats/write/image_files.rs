@@ -1,10 +1,14 @@
 //! The pictures that a model's materials need, each once, as the bytes that go into files.
 //!
-//! Pictures are not decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes.
+//! Colours are not decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes. A material with a
+//! relief has a normal map beside its colours, which is made of them.
+//!
+//! Limits: a picture that cannot be decoded has no relief.
 
 use super::{ExportError, Scene};
 use crate::formats::textures::{BuiltInTextures, fetch};
-use crate::picture::PictureFormat;
+use crate::picture::decode::decode;
+use crate::picture::{PictureFormat, normal_map};
 use crate::plant::{Material, Texture};
 use std::borrow::Cow;
 use std::path::Path;
@@ -23,10 +27,12 @@ pub struct ImageFile {
 /// Every picture in use.
 #[derive(Clone, Debug, Default)]
 pub struct ImageFiles {
-    /// Each picture once, in the order in which materials first name them.
+    /// Each picture once, in the order in which materials first name them, and behind them the normal maps.
     pub all: Vec<ImageFile>,
     /// For each material of the model the index of its picture; `None` too for materials that no part has.
     pub of_material: Vec<Option<usize>>,
+    /// The same for the normal map of its relief.
+    pub relief_of_material: Vec<Option<usize>>,
 }
 
 impl ImageFiles {
@@ -52,8 +58,38 @@ impl ImageFiles {
             };
             pictures.of_material.push(Some(index));
         }
+        pictures.add_reliefs(&scene.model.materials);
         Ok(pictures)
     }
+
+    /// Adds the normal maps of materials with pictures; each is there once for all that have the same.
+    fn add_reliefs(&mut self, materials: &[Material]) {
+        let mut known: Vec<((usize, u32), Option<usize>)> = Vec::new();
+        for (material, picture) in materials.iter().zip(&self.of_material) {
+            let key =
+                picture.filter(|_| material.relief > 0.0).map(|picture| (picture, material.relief.to_bits()));
+            let index = key.and_then(|key| {
+                if let Some((_, index)) = known.iter().find(|(known, _)| *known == key) {
+                    return *index;
+                }
+                let map = relief(&self.all[key.0], material.relief);
+                let index = map.map(|map| {
+                    self.all.push(map);
+                    self.all.len() - 1
+                });
+                known.push((key, index));
+                index
+            });
+            self.relief_of_material.push(index);
+        }
+    }
+}
+
+/// The normal map of a picture, if that can be decoded.
+fn relief(picture: &ImageFile, relief: f32) -> Option<ImageFile> {
+    let map = normal_map(&decode(&picture.bytes).ok()?, relief);
+    let stem = format!("{}_normal", picture.stem);
+    Some(ImageFile { stem, format: PictureFormat::Png, bytes: map.to_png().ok()?.into() })
 }
 
 fn picture(

@@ -17,6 +17,7 @@ mod names;
 pub mod obj;
 pub mod plant_json;
 pub mod scene;
+mod tangents;
 mod tint;
 
 pub use error::ExportError;

@@ -2,7 +2,8 @@
 //!
 //! Blinn-Phong as the plant has it: `Ka Kd Ks Ns`, `illum 2`; for programs that know microfacets only, `Pr`, the roughness
 //! that glTF gets too. A picture is `map_Kd`, with the material's colour in it already (`tint.rs`), and again `map_d` where
-//! its alpha cuts the surface out. Paths are relative to the folder that holds OBJ, MTL and pictures. Translucency and
+//! its alpha cuts the surface out; a relief is a normal map, `norm`, and `map_Bump` for programs that look there for one, as Blender.
+//! Paths are relative to the folder that holds OBJ, MTL and pictures. Translucency and
 //! two-sidedness have no place in MTL and are left out: its `Tf` means glass.
 
 use super::Scene;
@@ -29,8 +30,9 @@ pub(super) fn encode(
     for (i, ((material, word), used)) in materials.enumerate() {
         if used {
             let picture = tinted.pictures.of_material[i].map(|p| picture_files[p].as_str());
+            let relief = tinted.pictures.relief_of_material[i].map(|p| picture_files[p].as_str());
             let material = beside_picture(material, tinted.diffuse[i]);
-            write_material(&mut out, &material, word, picture);
+            write_material(&mut out, &material, word, [picture, relief]);
         }
     }
     out.into_bytes()
@@ -45,7 +47,7 @@ fn beside_picture(material: &Material, diffuse: [f32; 3]) -> Material {
     left
 }
 
-fn write_material(out: &mut String, material: &Material, word: &str, picture: Option<&str>) {
+fn write_material(out: &mut String, material: &Material, word: &str, [picture, relief]: [Option<&str>; 2]) {
     let colour = |[r, g, b]: [f32; 3]| format!("{r} {g} {b}");
     // Writing to a string cannot fail.
     let _ = writeln!(out, "newmtl {word}");
@@ -58,6 +60,9 @@ fn write_material(out: &mut String, material: &Material, word: &str, picture: Op
         if material.cut_out {
             let _ = writeln!(out, "map_d {picture}");
         }
+    }
+    if let Some(relief) = relief {
+        let _ = writeln!(out, "norm {relief}\nmap_Bump {relief}");
     }
     out.push('\n');
 }

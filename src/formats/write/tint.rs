@@ -26,7 +26,8 @@ pub(super) struct Tinted {
 /// which materials first want it.
 pub(super) fn tinted(scene: &Scene<'_>, plain: ImageFiles) -> Tinted {
     let mut diffuse: Vec<[f32; 3]> = scene.model.materials.iter().map(|material| material.diffuse).collect();
-    let mut pictures = ImageFiles { all: Vec::new(), of_material: vec![None; plain.of_material.len()] };
+    let of_material = vec![None; plain.of_material.len()];
+    let mut pictures = ImageFiles { of_material, ..ImageFiles::default() };
     let mut known: Vec<(usize, [u8; 3])> = Vec::new();
     let mut remaining: Vec<[f32; 3]> = Vec::new();
     for (material, picture) in plain.of_material.iter().enumerate() {
@@ -43,6 +44,12 @@ pub(super) fn tinted(scene: &Scene<'_>, plain: ImageFiles) -> Tinted {
         pictures.of_material[material] = Some(index);
         diffuse[material] = remaining[index];
     }
+    // Normal maps, which have no colour, follow as they are.
+    let first = plain.relief_of_material.iter().flatten().copied().min().unwrap_or(plain.all.len());
+    let moved = pictures.all.len() - first;
+    pictures.relief_of_material =
+        plain.relief_of_material.iter().map(|index| index.map(|index| index + moved)).collect();
+    pictures.all.extend_from_slice(&plain.all[first..]);
     Tinted { pictures, diffuse }
 }
 

@@ -2,11 +2,12 @@
 //!
 //! It is what a tree would be ([`trunk`](super::trunk)) but for its crown, which has no notches, is wider than high and nearly as
 //! wide at its foot as anywhere. Stalk and cap become one body of revolution: a branch up the middle, as thick at each height as
-//! was drawn. Limits: caps that lean are made upright.
+//! was drawn. A zigzag of grass across its foot is not part of it. Limits: caps that lean are made upright.
 
 use crate::anatomy::conventions::page::{Line, Page, notches};
 use crate::anatomy::conventions::shapes::outline::width_at;
 use crate::anatomy::conventions::shapes::silhouette::{Silhouette, smooth_contour};
+use crate::anatomy::conventions::shapes::teeth::is_row_of_teeth;
 use crate::anatomy::conventions::trees::evidence;
 use crate::anatomy::conventions::trees::evidence::ramp;
 use crate::anatomy::conventions::trees::stacked::stacked;
@@ -47,8 +48,16 @@ const SCORE: (f32, f32, f32, f32) = (2.9, 1.0, 1.4, -0.3);
 /// Proposes mushrooms, one for each group of lines at most.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stacked = stacked(page);
-    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked);
+    let in_grass = in_grass(page);
+    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked).chain(&in_grass);
     out.extend(groups.filter_map(|group| mushroom(page, group)));
+}
+
+/// Groups of lines that touch one another where a zigzag of grass runs across their feet, without that.
+fn in_grass(page: &Page) -> Vec<Vec<usize>> {
+    let rows: Vec<usize> =
+        (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_row_of_teeth(&page.lines[*i])).collect();
+    if rows.is_empty() { Vec::new() } else { page.groups_without(rows.into_iter()) }
 }
 
 fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
@@ -290,5 +299,17 @@ mod tests {
         assert!((foot.x - 14.0).abs() < 2.0, "the foot stays where it was drawn: {foot}");
         let cap: Vec<_> = points.iter().filter(|p| p.position.y < -45.0).collect();
         assert!(cap.len() > 5 && cap.iter().all(|p| (p.position.x - top.x).abs() < 0.5));
+    }
+
+    #[test]
+    fn a_zigzag_of_grass_across_the_feet_is_no_part_of_mushrooms() {
+        let beside =
+            |x: f32, places: &[(f32, f32)]| places.iter().map(|p| (p.0 + x, p.1)).collect::<Vec<_>>();
+        let teeth: Vec<(f32, f32)> =
+            (0..60).map(|k| (-90.0 + 6.0 * k as f32, if k % 2 == 0 { 22.0 } else { 12.0 })).collect();
+        let (cap, stalk) = (beside(150.0, &CAP), beside(150.0, &STALK));
+        let mushrooms = read(&[&CAP, &STALK, &teeth, &cap, &stalk]);
+        let uses: Vec<&[usize]> = mushrooms.iter().map(|mushroom| &mushroom.uses[..]).collect();
+        assert_eq!(uses, [&[0, 1][..], &[3, 4][..]]);
     }
 }

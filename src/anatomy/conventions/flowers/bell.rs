@@ -37,8 +37,8 @@ const ABOVE: (f32, f32) = (0.12, 0.8);
 const BELOW: (f32, f32) = (0.93, 0.65);
 /// How far from its middle the stalk comes in at most, as a share of its width.
 const AMID: f32 = 0.3;
-/// How near to the upper end of a stalk the stem is from which it comes, as a share of the stalk's length.
-const FROM: f32 = 1.3;
+/// How near to the upper end of a stalk the stem is from which it comes, as shares of the stalk's length and of the bell's height.
+const FROM: (f32, f32) = (1.3, 0.5);
 /// Wide gaps of the outline that are closed, in cells of the silhouette, and points of the outline.
 const BRIDGE: i32 = 8;
 const POINTS: usize = 160;
@@ -77,15 +77,15 @@ impl Stalk {
             .map(move |(end, _, begin)| Self { number, end, begin })
     }
 
-    /// Whether this line, or one from which it comes, goes down past a height.
-    fn is_carried_below(&self, page: &Page, height: f32) -> bool {
+    /// Whether this line, or one from which it comes, goes down past the edge of a bell of this height.
+    fn is_carried_below(&self, page: &Page, edge: f32, height: f32) -> bool {
         let own = &page.lines[self.number];
-        let near = FROM * own.length;
+        let near = (FROM.0 * own.length).max(FROM.1 * height);
         let carries = |line: &Line| {
-            line.bounds.1.y > height
+            line.bounds.1.y > edge
                 && polyline::nearest(&line.points, self.begin).is_some_and(|(gap, _)| gap < near)
         };
-        own.bounds.1.y > height
+        own.bounds.1.y > edge
             || page.lines.iter().enumerate().any(|(i, line)| i != self.number && carries(line))
     }
 }
@@ -100,7 +100,7 @@ fn bell(page: &Page, stalk: &Stalk, near: &[usize]) -> Option<Hypothesis> {
     let is_of_form = (HEIGHT.0 * page.diagonal..HEIGHT.1 * page.diagonal).contains(&height)
         && (WIDTH.0..WIDTH.1).contains(&(size.x / height))
         && (low.midpoint(high).x - stalk.end.x).abs() < AMID * size.x;
-    if !is_of_form || !stalk.is_carried_below(page, high.y) {
+    if !is_of_form || !stalk.is_carried_below(page, high.y, height) {
         return None;
     }
     let lines = head.iter().map(|i| page.lines[*i].points.as_slice());
@@ -191,9 +191,11 @@ mod tests {
                 line(&[(x + 16.0, y + 31.0), (x, y)]),
             ]
         };
-        let lines = [vec![stem], bell(90.0, -180.0).to_vec(), bell(145.0, -184.0).to_vec()].concat();
+        // The last hangs a little away from the stem.
+        let bells = [bell(90.0, -180.0), bell(145.0, -184.0), bell(30.0, -115.0)].concat();
+        let lines = [vec![stem], bells].concat();
         let uses: Vec<Vec<usize>> = read_by(propose, &lines).into_iter().map(|it| it.uses).collect();
-        assert_eq!(uses, [vec![2, 3, 4], vec![6, 7, 8]]);
+        assert_eq!(uses, [vec![2, 3, 4], vec![6, 7, 8], vec![10, 11, 12]]);
     }
 
     #[test]

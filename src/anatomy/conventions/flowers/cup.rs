@@ -6,7 +6,7 @@
 //! [`corolla_on_stem`](super::corolla_on_stem). Each tip is that of a
 //! petal from the stem's end, so broad that the outer ones reach the sides of the cup. Between two of them another stands in
 //! front, its tip a little lower ([`LOWER`]): the ellipse of their rim then closes, and the cone fit of the later stages
-//! makes a cup of them ([`petals`]).
+//! makes a cup of them ([`petals`]). Small lines within, as stamens, belong to it.
 //!
 //! Limits: buds of one outline are leaves; heads whose stem arrives from the side are not found.
 
@@ -51,8 +51,10 @@ const CORNER: (f32, f32) = (0.05, 1.2);
 const CORNERS: f32 = 0.15;
 /// Fewest corners that speak for a cup, and log-odds.
 const CORNERED: (usize, f32) = (2, 0.7);
-/// Least part of the outline that each line draws.
-const DRAWN: f32 = 0.12;
+/// Least part of the outline that each line draws, and that all do together where they are many.
+const DRAWN: (f32, f32) = (0.12, 0.6);
+/// Largest small line in a head, as a share of its height, most of them, and least share of their points within the outline.
+const SMALL: (f32, usize, f32) = (0.4, 16, 0.7);
 /// How wide gaps of the outline are closed, in cells of the silhouette.
 const BRIDGE: i32 = 8;
 /// Points of the outline, and of each side of a petal.
@@ -119,14 +121,17 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
     let height = others().map(|i| heights(&page.lines[i]).1).fold(0.0, f32::max);
     let head: Vec<usize> = others().filter(|i| heights(&page.lines[*i]).0 > -BACK * height).collect();
     let fewest = if base.along.y > HANGS { 1 } else { LINES.0 };
-    let is_of_form = (fewest..=LINES.1).contains(&head.len())
+    let is_small = |i: &&usize| page.lines[**i].size().max_element() < SMALL.0 * height;
+    let small: Vec<&Line> = head.iter().filter(is_small).map(|i| &page.lines[*i]).collect();
+    let lines: Vec<&Line> = head.iter().filter(|i| !is_small(i)).map(|i| &page.lines[*i]).collect();
+    let is_of_form = (fewest..=LINES.1).contains(&lines.len())
+        && small.len() <= SMALL.1
         && height > 0.0
         && page.lines[stem].length > LONG.0 * height
         && head.len() * 2 > others().count();
     if !is_of_form {
         return None;
     }
-    let lines: Vec<&Line> = head.iter().map(|i| &page.lines[*i]).collect();
     let (base, height) = base.toward(&lines);
     let sides = lines.iter().flat_map(|line| &line.points).map(|p| (*p - base.place).perp_dot(base.along));
     let (left, right) = sides.fold((0.0_f32, 0.0_f32), |(low, high), side| (low.min(side), high.max(side)));
@@ -137,7 +142,7 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
     if gap > BEGIN * height || !is_amid || !(WIDTH.0..WIDTH.1).contains(&((right - left) / height)) {
         return None;
     }
-    let outline = outline(&lines, base, height)?;
+    let outline = outline((&lines, &small), base, height)?;
     let parts: Vec<Made> = petals(&outline, base.place, &tips_and_corners(&outline, base, height))?
         .into_iter()
         .map(|petal| Made::new(Tool::Petal, petal))
@@ -146,19 +151,22 @@ fn cup(page: &Page, group: &[usize], stem: usize, base: Base) -> Option<Hypothes
     // Petals of a cup end in corners, lobes of a leaf's or a crown's outline do not.
     let has_corners = corners(&outline, base, height).len() >= CORNERED.0;
     let cornered = if has_corners { CORNERED.1 } else { 0.0 };
-    let score = 3.4 + 0.1 * head.len().min(6) as f32 + cornered - short;
+    let score = 3.4 + 0.1 * lines.len().min(6) as f32 + cornered - short;
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis { uses: head, score, parts, solids: Vec::new(), reading, habit })
 }
 
-/// What the lines of a head enclose, if all of them draw it and it has notches between its tips only.
-fn outline(lines: &[&Line], base: Base, height: f32) -> Option<Vec<Vec2>> {
+/// What the lines of a head enclose, if all of them draw it, it has notches between its tips only and small lines lie within.
+fn outline((lines, small): (&[&Line], &[&Line]), base: Base, height: f32) -> Option<Vec<Vec2>> {
     let silhouette = Silhouette::new(lines.iter().map(|line| line.points.as_slice()), BRIDGE);
     let outline = smooth_contour(&silhouette.contour(), POINTS.0, 1);
     let near = 3.0 * silhouette.cell();
-    let draws = |line: &&Line| share_along(&outline, std::iter::once(line.points.as_slice()), near) > DRAWN;
+    let least = DRAWN.0.min(DRAWN.1 / lines.len() as f32);
+    let draws = |line: &&Line| share_along(&outline, std::iter::once(line.points.as_slice()), near) > least;
     let is_high = |p: &Vec2| base.height(*p) > HIGH.1 * height;
-    (lines.iter().all(draws) && notches(&outline).iter().all(is_high)).then_some(outline)
+    let is_within = || silhouette.share_inside(small.iter().flat_map(|line| &line.points)) > SMALL.2;
+    (lines.iter().all(draws) && (small.is_empty() || is_within()) && notches(&outline).iter().all(is_high))
+        .then_some(outline)
 }
 
 /// The tips of an outline: where it turns back toward its base, high up.
@@ -347,5 +355,18 @@ mod tests {
         assert!(
             read(&[stem(), [cup(), zigzag().into_iter().rev().collect()].concat(), midrib, vein]).is_empty()
         );
+    }
+
+    #[test]
+    fn stamens_belong_to_their_cup() {
+        let stamen = |x: f32| line(&[(x, -100.0), (x, -60.0)]);
+        let found = read(&[stem(), cup(), zigzag(), stamen(-12.0), stamen(12.0)]);
+        // None touches the cup; one that does is in its group.
+        assert_eq!(found[0].uses[..2], [1, 2]);
+        let touching = line(&[(0.0, -142.0), (0.0, -95.0)]);
+        let found = read(&[stem(), cup(), zigzag(), touching]);
+        assert_eq!((found.len(), &found[0].uses[..]), (1, &[1, 2, 3][..]));
+        let outside = line(&[(46.0, -138.0), (85.0, -150.0)]);
+        assert!(read(&[stem(), cup(), zigzag(), outside]).is_empty());
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Several lines enclose an area together ([`Silhouette`]) that is round below and has [`TIPS`] sharp tips above, the highest near the
 //! middle, with notches between them. Each line draws a part of its outline: a petal, or a side of one. Petals go from the lowest place to each tip, and
-//! others stand in front, as in a [`cup`](super::cup). Limits: flowers that lean.
+//! others stand in front, as in a [`cup`](super::cup). A hollow line across their feet, as of the lowest petals, belongs to it: it is no bowl
+//! in which leaves stand, for those do not reach up in a round. Limits: flowers that lean.
 
 use super::cup;
 use crate::anatomy::conventions::page::{self, Line, Page, notches};
@@ -36,13 +37,26 @@ const FOOT: (f32, f32) = (0.7, 0.06);
 /// How wide gaps of the outline are closed, in cells of the silhouette, and its points.
 const BRIDGE: i32 = 8;
 const POINTS: usize = 200;
-/// Log-odds.
-const SCORE: f32 = 4.6;
+/// A hollow line across the feet: least width and most, as shares of the flower's, how high its ends are at most and how far it goes down
+/// at least and at most, as shares of the flower's height, and most length over its width.
+const HOLLOW: (f32, f32, f32, f32, f32, f32) = (0.35, 1.05, 0.35, 0.04, 0.38, 1.5);
+/// Log-odds, more with a hollow line, and over a pot, in which leaves stand in a round as well.
+const SCORE: (f32, f32, f32) = (4.6, 5.5, -0.6);
 
 /// Proposes a flower for each group of lines.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let several = page.groups.iter().filter(|group| (LINES.0..=LINES.1).contains(&group.len()));
-    out.extend(several.filter_map(|group| lotus(page, group)));
+    let several = page.groups.iter().filter(|group| (LINES.0..=LINES.1 + 1).contains(&group.len()));
+    out.extend(several.filter_map(|group| lotus(page, group).or_else(|| over_hollow(page, group))));
+}
+
+/// The flower of a group but for the hollow line across its feet.
+fn over_hollow(page: &Page, group: &[usize]) -> Option<Hypothesis> {
+    let rest = |line: usize| group.iter().copied().filter(|i| *i != line).collect::<Vec<_>>();
+    let is_below = |line: &usize| {
+        is_hollow(&page.lines[*line], page::bounds(rest(*line).iter().map(|i| &page.lines[*i])))
+    };
+    let hollow = group.iter().copied().filter(|_| group.len() > LINES.0).find(is_below)?;
+    lotus(page, &rest(hollow))
 }
 
 fn lotus(page: &Page, group: &[usize]) -> Option<Hypothesis> {
@@ -79,9 +93,34 @@ fn lotus(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let petals = cup::petals(&outline, foot, &tips)?;
     let parts = petals.into_iter().map(|petal| Made::new(Tool::Petal, petal)).collect();
-    let score = SCORE * page.weight(size.length());
+    let hollow =
+        (0..page.lines.len()).find(|i| !group.contains(i) && is_hollow(&page.lines[*i], (low, high)));
+    let score = SCORE.0
+        + match hollow {
+            Some(_) => SCORE.1,
+            None if page.has_apart() => SCORE.2,
+            None => 0.0,
+        };
+    let score = score * page.weight(size.length());
+    let mut uses: Vec<usize> = group.iter().copied().chain(hollow).collect();
+    uses.sort_unstable();
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
-    Some(Hypothesis { uses: group.to_vec(), score, parts, solids: Vec::new(), reading, habit })
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit })
+}
+
+/// Whether a line runs across the feet of a flower in these bounds, down from one end and up to the other.
+fn is_hollow(line: &Line, (low, high): (Vec2, Vec2)) -> bool {
+    let (size, (first, last)) = (high - low, line.ends());
+    let (width, lowest) = (line.size().x, line.bounds.1.y);
+    let ends = first.y.min(last.y);
+    let is_amid = (line.middle().x - low.midpoint(high).x).abs() < AMID * size.x;
+    let is_across = (first.x - last.x).abs() > 0.8 * width && line.length < HOLLOW.5 * width;
+    is_amid
+        && is_across
+        && (HOLLOW.0 * size.x..HOLLOW.1 * size.x).contains(&width)
+        && high.y - ends < HOLLOW.2 * size.y
+        && (HOLLOW.3 * size.y..HOLLOW.4 * size.y).contains(&(lowest - first.y.max(last.y)))
+        && lowest > high.y - HOLLOW.3 * size.y
 }
 
 #[cfg(test)]
@@ -117,5 +156,18 @@ mod tests {
         assert!(read(&[blade(-20.0), blade(0.0), blade(20.0)]).is_empty());
         let stem = line(&[(0.0, 150.0), (0.0, 0.0)]);
         assert!(read(&[petal(0.0, -120.0), petal(-66.0, -92.0), petal(66.0, -92.0), stem]).is_empty());
+    }
+
+    #[test]
+    fn a_hollow_line_across_the_feet_belongs_to_it() {
+        let petals = [petal(0.0, -120.0), petal(-66.0, -92.0), petal(66.0, -92.0)];
+        let hollow = line(&[(-60.0, -4.0), (-30.0, 18.0), (0.0, 24.0), (30.0, 18.0), (60.0, -4.0)]);
+        let found = read(&[&petals[..], &[hollow]].concat());
+        assert_eq!((found.len(), &found[0].uses[..]), (1, &[0, 1, 2, 3][..]));
+        let alone = read(&petals)[0].score;
+        assert!(found[0].score > alone + 3.0, "{} {alone}", found[0].score);
+        let deep = line(&[(-60.0, -4.0), (-40.0, 80.0), (40.0, 80.0), (60.0, -4.0)]);
+        let bowl = read(&[&petals[..], &[deep]].concat());
+        assert!(bowl.iter().all(|flower| flower.score < alone + 1.0), "a bowl");
     }
 }

@@ -1,6 +1,7 @@
 //! A rose: a spiral, arcs in a disc, or a few outlines around a small ring, at the upper end of a stem.
 //!
-//! A spiral winds at least [`TURNS`] around its inner end, always in one direction, and ends farther out than it began. A disc is
+//! A spiral winds at least [`TURNS`] around its inner end, always in one direction, and ends farther out than it began; arcs may bend around
+//! it, the edges of outer petals. A disc is
 //! a round closed line with at least [`ARCS`] lines within that bend around its middle as the edges of petals do, none straight as
 //! veins are. One stem line carries either, or both sides of a stem, and nothing else comes near. What a hand only hints at is drawn in full: broad
 //! petals in three rings ([`RINGS`]) that fill the head and overlap.
@@ -27,9 +28,13 @@ const OUTWARD: f32 = 0.6;
 /// Fewest arcs in a disc, and how much each turns at least, radians.
 const ARCS: usize = 2;
 const BENDS: f32 = 0.9;
+/// Arcs around a spiral: nearest and farthest from its middle, in its radii, most of the farthest point over the nearest, and least angle
+/// about the middle, radians.
+const AROUND: (f32, f32, f32, f32) = (0.9, 3.2, 1.9, 0.8);
 /// Narrowest head, its width over its height or the other way round.
 const ROUND: f32 = 0.6;
-/// Most lines that are looked at near a head.
+/// How near to a head a line counts, in its sizes, and most lines that are looked at.
+const NEAR: f32 = 0.15;
 const MOST_LINES: usize = 32;
 /// Petals of each ring, their reach in radii of the head, and half width as a share of that.
 const RINGS: [(usize, f32, f32); 3] = [(6, 1.0, 0.6), (5, 0.72, 0.66), (4, 0.45, 0.7)];
@@ -65,9 +70,9 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     };
     let heads: Vec<usize> = (0..page.lines.len()).filter(|i| is_head(&page.lines[*i])).collect();
     let grown = |i: &usize| {
-        let (low, high) = page.lines[*i].bounds;
-        let margin = 0.15 * (high - low);
-        (low - margin, high + margin)
+        let line = &page.lines[*i];
+        let margin = if is_spiral(line) { AROUND.1 } else { NEAR };
+        (line.bounds.0 - margin * line.size(), line.bounds.1 + margin * line.size())
     };
     let boxes: Vec<(Vec2, Vec2)> = heads.iter().map(grown).collect();
     let near = page.lines_at(&boxes);
@@ -125,15 +130,24 @@ fn of_several(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
 
 fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     let head = &page.lines[number];
-    if near.len() < 2 || near.len() > MOST_LINES {
+    let is_arc = |i: &usize| *i != number && is_spiral(head) && bends_around(&page.lines[*i], head);
+    let arcs: Vec<usize> = near.iter().copied().filter(is_arc).collect();
+    let edges = || arcs.iter().chain([&number]).map(|i| &page.lines[*i]);
+    let (low, high) = page::bounds(edges());
+    let margin = NEAR * (high - low);
+    let is_near = |i: &usize| {
+        let (from, to) = page.lines[*i].bounds;
+        from.cmple(high + margin).all() && to.cmpge(low - margin).all() && *i != number && !arcs.contains(i)
+    };
+    let others: Vec<usize> = near.iter().copied().filter(is_near).collect();
+    if others.is_empty() || others.len() > MOST_LINES {
         return None;
     }
-    let others: Vec<usize> = near.iter().copied().filter(|i| *i != number).collect();
     let (stems, within): (Vec<usize>, Vec<usize>) =
-        others.iter().partition(|i| stem_top(&page.lines[**i], head).is_some());
+        others.iter().partition(|i| edges().any(|edge| stem_top(&page.lines[**i], edge).is_some()));
     let is_inside = |i: &usize| {
         let line = &page.lines[*i];
-        line.bounds.0.cmpge(head.bounds.0).all() && line.bounds.1.cmple(head.bounds.1).all()
+        line.bounds.0.cmpge(low).all() && line.bounds.1.cmple(high).all()
     };
     let is_edge = |i: &usize| turning(&page.lines[*i].points).1 > BENDS;
     let has_stem = stems.len() == 1 || are_sides(page, &stems, head);
@@ -142,17 +156,29 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     if !is_alone || !is_rose {
         return None;
     }
-    let mut uses: Vec<usize> = within.into_iter().chain([number]).collect();
+    let mut uses: Vec<usize> = within.into_iter().chain(arcs).chain([number]).collect();
     uses.sort_unstable();
     let (reading, habit) = (Reading::Corolla, Some(Habit::Flower));
     Some(Hypothesis {
         uses,
         score: SCORE,
-        parts: petals(head.middle(), 0.5 * head.size()),
+        parts: petals(low.midpoint(high), 0.5 * (high - low)),
         solids: Vec::new(),
         reading,
         habit,
     })
+}
+
+/// Whether a line bends around a spiral, at about one distance, and does not belong to it.
+fn bends_around(line: &Line, spiral: &Line) -> bool {
+    let (middle, radius) = (spiral.middle(), 0.5 * spiral.size().max_element());
+    let away = line.points.iter().map(|p| p.distance(middle) / radius);
+    let (least, most) = away.fold((f32::INFINITY, 0.0_f32), |(least, most), d| (least.min(d), most.max(d)));
+    let swept: f32 = line.points.windows(2).map(|p| (p[0] - middle).angle_to(p[1] - middle)).sum();
+    least > AROUND.0
+        && most < AROUND.1.min(AROUND.2 * least)
+        && swept.abs() > AROUND.3
+        && turning(&line.points).1 > BENDS
 }
 
 /// Whether two stems are the sides of one: they come to the head side by side and are about as long.
@@ -285,5 +311,23 @@ mod tests {
             .map(|t| Vec2::new(50.0 * (1.31 * t).cos(), 50.0 * (2.17 * t).sin()))
             .collect();
         assert!(read(&[scribble, stem()]).is_empty());
+    }
+
+    #[test]
+    fn arcs_that_bend_around_a_spiral_are_its_outer_petals() {
+        let spiral = wound(3.0, 4.0, 30.0);
+        let around = |from: f32, to: f32, radius: f32| -> Vec<Vec2> {
+            (0..=30).map(|k| radius * Vec2::from_angle(from + (to - from) * k as f32 / 30.0)).collect()
+        };
+        let (left, right, under) = (around(2.2, 4.2, 48.0), around(-1.0, 1.0, 48.0), around(0.5, 2.6, 62.0));
+        let stem = vec![Vec2::new(3.0, 260.0), Vec2::new(0.0, 66.0)];
+        let found = read(&[spiral.clone(), left, right, under, stem.clone()]);
+        let [rose] = &found[..] else { panic!("{} roses", found.len()) };
+        assert_eq!(rose.uses, [0, 1, 2, 3]);
+        let reach = rose.parts.iter().flat_map(|part| &part.points).map(|p| p.position.length());
+        assert!(reach.fold(0.0, f32::max) > 45.0, "as large as its arcs");
+        // A line that turns its back to the spiral is no petal of it, but nothing keeps the spiral from being a rose.
+        let leaf = vec![Vec2::new(70.0, -30.0), Vec2::new(60.0, 0.0), Vec2::new(70.0, 30.0)];
+        assert!(read(&[spiral, leaf, stem]).iter().all(|rose| rose.uses == [0]));
     }
 }

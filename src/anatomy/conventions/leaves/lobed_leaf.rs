@@ -4,7 +4,7 @@
 //! the stalk on both sides and opposite of it, and none points toward the stalk. What tells it from a crown of fronds: the stalk is no
 //! longer than the leaf. Lines inside are veins. Lobes that are round, as an oak's, are those of a leaf where the stalk runs on through it
 //! nearly to its end as its midrib, has notches on both sides, and the leaf is longer than wide: no stem goes on so far into a flower, and
-//! no trunk into a crown. Without a midrib it must be longer still, and taper toward the stalk, as no crown does.
+//! no trunk into a crown. A midrib of its own says so of a broad one as well. Without a midrib it must be longer still, and taper toward the stalk, as no crown does.
 //!
 //! Limits: a leaf without a stalk.
 
@@ -120,8 +120,13 @@ impl<'a> Blade<'a> {
             && self.line.solidity() < FULL.0
     }
 
-    /// Whether a midrib from the end of the stalk, along one of these lines, makes a leaf of round lobes.
-    fn has_midrib<'l>(&self, along: &Along, mut lines: impl Iterator<Item = &'l Line>) -> bool {
+    /// Whether a midrib from the end of the stalk makes a leaf of round lobes: along one of the lines inside, or along the stalk.
+    fn has_midrib<'l>(
+        &self,
+        along: &Along,
+        mut inside: impl Iterator<Item = &'l Line>,
+        stalk: Option<&Line>,
+    ) -> bool {
         let is_midrib = |line: &Line| {
             let (first, last) = line.ends();
             let end = along.height(first).max(along.height(last));
@@ -133,10 +138,9 @@ impl<'a> Blade<'a> {
         };
         // No crown has lobes so deep.
         let longer = if self.line.solidity() < DEEP.0 { DEEP.1 } else { ROUND.3 };
-        along.length > longer * along.width()
-            && self.line.solidity() < FULL.1
-            && self.has_notches_beside(along)
-            && lines.any(is_midrib)
+        let is_of_stalk = || along.length > longer * along.width() && stalk.is_some_and(is_midrib);
+        let mut is_inside = || along.length > DEEP.1 * along.width() && inside.any(is_midrib);
+        self.line.solidity() < FULL.1 && self.has_notches_beside(along) && (is_of_stalk() || is_inside())
     }
 
     /// Whether a leaf without a midrib has round lobes on both sides and tapers toward its stalk.
@@ -171,9 +175,9 @@ impl<'a> Blade<'a> {
             _ => return None,
         };
         let (base, foot) = (stalk[stalk.len() - 1], stalk[0]);
-        let ribs = inside.iter().copied().chain(of_line).map(|i| &page.lines[i]);
+        let ribs = inside.iter().map(|i| &page.lines[*i]);
         let along = Along::new(&self.ring, (base, foot))?;
-        let is_round = self.has_midrib(&along, ribs);
+        let is_round = self.has_midrib(&along, ribs, of_line.map(|i| &page.lines[i]));
         let ends_there = |line: usize| {
             let (first, last) = page.lines[line].ends();
             along.height(first).max(along.height(last)) < ROUND.5 * along.length
@@ -323,8 +327,10 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert_eq!((found[0].reading, &found[0].uses[..]), (Reading::Leaf, &[0, 1][..]));
         assert!(read(&[oak.clone(), to(-90.0)]).is_empty(), "the stem of a flower ends in its middle");
-        let wide = oak.iter().map(|p| Vec2::new(2.5 * p.x, p.y)).collect();
-        assert!(read(&[wide, to(-150.0)]).is_empty(), "a crown");
+        let wide: Vec<Vec2> = oak.iter().map(|p| Vec2::new(2.2 * p.x, p.y)).collect();
+        assert!(read(&[wide.clone(), to(-150.0)]).is_empty(), "a crown");
+        let (stalk, midrib) = (line(&[(0.0, 30.0), (0.0, -18.0)]), line(&[(0.0, -24.0), (0.0, -150.0)]));
+        assert_eq!(read(&[wide, stalk, midrib])[0].uses, [0, 1, 2], "its midrib is no stem");
     }
 
     #[test]
