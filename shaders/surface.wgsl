@@ -1,7 +1,9 @@
 // The plant itself: Blinn-Phong, two-sided, with light shining through.
 
-// Light from the sky at the corners instead of at every pixel: for drafts.
+// Light from the sky at the corners instead of at every pixel, and no relief: for drafts.
 override SKY_PER_CORNER: bool = false;
+// Whether materials with a relief show it.
+override RELIEF: bool = true;
 
 struct Corner {
     // The same in the depth pass and in the colour pass, to the last bit.
@@ -127,7 +129,7 @@ fn fragment(corner: Corner, @builtin(front_facing) front: bool) -> @location(0) 
     let alpha = select(cut, samples_covered(texel.a, corner.clip.xy), material.diffuse.w > 1.5);
 
     var normal = normalize(corner.normal) * select(-1.0, 1.0, front);
-    if material.relief.x > 0.0 { normal = with_relief(normal, corner.world, corner.uv); }
+    if RELIEF && !SKY_PER_CORNER && material.relief.x > 0.0 { normal = with_relief(normal, corner.world, corner.uv); }
     let eye = toward_eye(corner.world);
     let colour = material.diffuse.rgb * texel.rgb;
     let translucency = material.ambient.w;

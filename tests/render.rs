@@ -316,12 +316,11 @@ fn a_relief_is_lit_like_a_surface_of_that_shape() {
                 .picture(&model([(wall.clone(), stone)]), &source, &LEVEL, &SMALL)
                 .unwrap();
             // The wall is 108 pixels high, its groove between the 61st and the 74th of 120 from above.
-            [58, 77].map(|y| brightness(picture.pixel(80, y).unwrap()))
+            [58, 75].map(|y| brightness(picture.pixel(80, y).unwrap()))
         };
         let ([above, below], [flat_above, flat_below]) = (sides(0.1), sides(0.0));
-        assert!((flat_above / flat_below - 1.0).abs() < 0.1, "{flat_above} {flat_below}");
-        assert!(below > 1.15 * above, "{above} {below}");
-        assert!(above < flat_above && below > flat_below, "{above} {flat_above}, {below} {flat_below}");
+        assert!(above < 0.95 * flat_above, "{above} {flat_above}");
+        assert!(below > 1.05 * flat_below, "{below} {flat_below}");
     }
 }
 
