@@ -14,7 +14,7 @@ use glam::Vec3;
 
 /// Pixels a side of a normal map, at most: what is finer is grain, and would be most of a plant's file.
 const MOST_PIXELS: usize = 512;
-/// Steps in which slopes are told apart, of 255: about 2°, which nobody sees on bark, and a smaller file.
+/// Steps of slopes, of 255: about 2°, which nobody sees on bark, and a smaller file.
 const STEP: f32 = 4.0;
 
 /// The normal map of a picture whose light places are `relief` higher than its dark ones, in widths of the picture: x to the right, y to

@@ -1,6 +1,6 @@
 //! The pictures that a model's materials need, each once, as the bytes that go into files.
 //!
-//! Colours are not decoded here: PNG and JPEG are what both OBJ and glTF carry, told apart by their first bytes. A material with a
+//! Colours are not decoded here: PNG and JPEG are what both OBJ and glTF carry, known by their first bytes. A material with a
 //! relief has a normal map beside its colours, which is made of them.
 //!
 //! Limits: a picture that cannot be decoded has no relief.

@@ -6,7 +6,7 @@
 //!
 //! Limits: a vertex on both sides of a mirrored seam has the mean of both.
 
-use crate::model::Mesh;
+use crate::model::{Mesh, Vertex};
 use glam::{Vec3, Vec4};
 
 /// One tangent for each vertex, of unit length; any square to the normal where the picture has no direction.
@@ -24,7 +24,7 @@ pub(super) fn tangents(mesh: &Mesh) -> Vec<Vec4> {
             (*u, *v) = (*u + of_u, *v + of_v);
         }
     }
-    let tangent = |(vertex, [u, v]): (&crate::model::Vertex, [Vec3; 2])| {
+    let tangent = |(vertex, [u, v]): (&Vertex, [Vec3; 2])| {
         let normal = vertex.normal;
         let along = u.reject_from(normal).try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
         let is_mirrored = normal.cross(along).dot(v) < 0.0;
@@ -36,7 +36,6 @@ pub(super) fn tangents(mesh: &Mesh) -> Vec<Vec4> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Vertex;
     use glam::Vec2;
 
     /// A square in the plane z = 0, seen from +z, whose picture lies as `uv` says.

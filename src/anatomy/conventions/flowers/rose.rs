@@ -130,7 +130,8 @@ fn of_several(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
 
 fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     let head = &page.lines[number];
-    let is_arc = |i: &usize| *i != number && is_spiral(head) && bends_around(&page.lines[*i], head);
+    let is_wound = is_spiral(head);
+    let is_arc = |i: &usize| is_wound && *i != number && bends_around(&page.lines[*i], head);
     let arcs: Vec<usize> = near.iter().copied().filter(is_arc).collect();
     let edges = || arcs.iter().chain([&number]).map(|i| &page.lines[*i]);
     let (low, high) = page::bounds(edges());
@@ -152,7 +153,7 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     let is_edge = |i: &usize| turning(&page.lines[*i].points).1 > BENDS;
     let has_stem = stems.len() == 1 || are_sides(page, &stems, head);
     let is_alone = has_stem && within.iter().all(|i| is_inside(i) && is_edge(i));
-    let is_rose = is_spiral(head) || within.len() >= ARCS;
+    let is_rose = is_wound || within.len() >= ARCS;
     if !is_alone || !is_rose {
         return None;
     }
