@@ -6,6 +6,8 @@
 //! attach, so crossing branches stay strangers; and a twig whose end lies on one branch is not taken by another that
 //! merely passes near: while its nearest branch is still unplaced, it waits for it.
 //!
+//! A trunk may be shorter than its boughs: the only branch that goes down from the base of the longest carries that.
+//!
 //! Either end may be the base: the one that touches. A trunk's base is its lower end, unless it lies level, where the
 //! artist's direction counts. Cost: near-linear, through an R-tree over all segments.
 
@@ -40,6 +42,10 @@ const MOST_TOUCHES: usize = 16;
 
 /// Height difference, as a share of length, below which a trunk lies level.
 const LEVEL_SHARE: f32 = 0.1;
+
+/// How near to a trunk's base its lower part in a stroke of its own ends, as a share of the trunk's length; least fall of that over its length, and least
+/// length, as a share of the trunk's.
+const LOWER_PART: (f32, f32, f32) = (0.08, 0.7, 0.15);
 
 /// A place where an end of one branch touches another branch.
 #[derive(Clone, Copy, Debug)]
@@ -115,6 +121,7 @@ pub fn arrange_with(
     let mut forest = Forest { touches, touched_by, lengths, seats, order: Vec::new(), placed_as };
     for trunk in longest_first {
         if forest.seats[trunk].is_none() {
+            let trunk = forest.carrying(trunk, &flat).unwrap_or(trunk);
             forest.plant(trunk, is_upside_down(&flat[trunk].points, forest.lengths[trunk]));
         }
     }
@@ -222,6 +229,25 @@ struct Forest<'a> {
 }
 
 impl Forest<'_> {
+    /// The only branch that goes down from the base of a trunk: the lower part of it in a stroke of its own.
+    fn carrying(&self, trunk: usize, flat: &[Arc<Line>]) -> Option<usize> {
+        let ends = |line: &Line| Some((*line.points.first()?, *line.points.last()?));
+        let (first, last) = ends(&flat[trunk])?;
+        let base = if is_upside_down(&flat[trunk].points, self.lengths[trunk]) { last } else { first };
+        let goes_down = |branch: &&usize| {
+            let length = self.lengths[**branch];
+            let touch = self.touches[**branch].all.iter().find(|touch| touch.place.line == trunk);
+            let Some((touch, (first, last))) = touch.zip(ends(&flat[**branch])) else { return false };
+            let (upper, lower) = if touch.by_last { (last, first) } else { (first, last) };
+            self.seats[**branch].is_none()
+                && upper.distance(base) < LOWER_PART.0 * self.lengths[trunk]
+                && lower.y - upper.y > LOWER_PART.1 * length
+                && length > LOWER_PART.2 * self.lengths[trunk]
+        };
+        let mut below = self.touched_by[trunk].iter().filter(goes_down);
+        below.next().copied().filter(|_| below.next().is_none())
+    }
+
     /// Places a trunk and everything that hangs on it. Branches that only touch from afar wait until no others are left.
     fn plant(&mut self, trunk: usize, reversed: bool) {
         let first = self.order.len();
@@ -355,6 +381,18 @@ mod tests {
         let branches = arrange(lines.to_vec(), 1000.0, &HierarchyParams::default());
         assert_eq!(branches[0].line[0].position.y, 900.0);
         assert!((branches[1].attached_at - 600.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_trunk_shorter_than_its_boughs_carries_them() {
+        let trunk = line(1, &[(0.0, 0.0), (0.0, -100.0)]);
+        let boughs = [(2, -80.0), (3, 0.0), (4, 80.0)].map(|(id, x)| line(id, &[(0.0, -100.0), (x, -260.0)]));
+        let all: Vec<_> = [trunk].into_iter().chain(boughs).collect();
+        assert_eq!(arranged(&all), [(1, None, 0), (2, Some(1), 1), (4, Some(1), 1), (3, Some(1), 1)]);
+        let root = line(5, &[(0.0, 0.0), (-30.0, 60.0)]);
+        let other = line(6, &[(0.0, 0.0), (30.0, 60.0)]);
+        let stem = line(1, &[(0.0, 0.0), (0.0, -300.0)]);
+        assert_eq!(arranged(&[stem, root, other])[0], (1, None, 0), "several are roots");
     }
 
     #[test]

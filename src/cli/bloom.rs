@@ -1,8 +1,7 @@
 //! `penstemon bloom SPECIES -o OUT`: a full flower on its stem, as far open as asked for, or opening frame by frame.
 
 use super::common;
-use super::studio::{Outputs, PictureArgs, Studio, is_picture, open_species};
-use crate::formats::write;
+use super::studio::{Outputs, PictureArgs, Studio, check_names, open_species};
 use crate::input::Sources;
 use crate::pipeline::{self, Bloom, Built, Cache};
 use crate::plant::OrganKind;
@@ -56,9 +55,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&Species::blooming().join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
-    for out in args.out.iter().filter(|out| !is_picture(out)) {
-        write::format_of(out)?;
-    }
+    check_names(&args.out)?;
     let name = args.species.as_deref().context("which species?")?;
     let species = open_species(name)?;
     pipeline::check_blooms(&species)?;

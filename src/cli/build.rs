@@ -2,8 +2,7 @@
 
 use super::common::{self, BuildOptions, Instances, Setup};
 use super::lod::{self, Lod};
-use super::studio::{Outputs, PictureArgs, Studio, is_picture};
-use crate::formats::write;
+use super::studio::{Outputs, PictureArgs, Studio, check_names};
 use anyhow::ensure;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -41,9 +40,7 @@ pub struct Args {
 /// # Errors
 /// A drawing that cannot be read or holds nothing to build, an output that cannot be written.
 pub fn run(args: &Args) -> anyhow::Result<ExitCode> {
-    for out in args.out.iter().filter(|out| !is_picture(out)) {
-        write::format_of(out)?;
-    }
+    check_names(&args.out)?;
     let setup = Setup::open(&args.sketch, &args.options.setup)?;
     setup.sources.spare(args.out.iter().map(PathBuf::as_path))?;
     let built = setup.build(&args.sketch);

@@ -1,7 +1,7 @@
 //! `penstemon garden SPEC.toml -o OUT` or `penstemon garden SPECIES… --area WxD -o OUT`: a garden of plants that are copies of a few.
 
 use super::common::{self, Assignments, Setup, SetupOptions, Stages};
-use super::studio::{self, Size, Viewpoint, check_size, is_picture, open_species};
+use super::studio::{self, Size, Viewpoint, check_names, check_size, is_picture, open_species};
 use super::walk::{self, Walk};
 use crate::atomic;
 use crate::budget::GardenBudget;
@@ -147,9 +147,7 @@ impl Detail {
 /// # Errors
 /// A garden or a kind of plants that cannot be used, an output that cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
-    for out in args.out.iter().filter(|out| !is_picture(out)) {
-        write::format_of(out)?;
-    }
+    check_names(&args.out)?;
     ensure!(
         args.walk.is_none() || args.out.iter().any(|out| is_picture(out)),
         "--walk takes pictures; add a picture file, such as -o walk.png"

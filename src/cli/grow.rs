@@ -1,9 +1,8 @@
 //! `penstemon grow SPECIES -o OUT`: a plant that grows by itself, at one age or at many ages one after the other.
 
 use super::lod::{self, Lod};
-use super::studio::{Outputs, PictureArgs, Studio, is_picture, open_species};
+use super::studio::{Outputs, PictureArgs, Studio, check_names, open_species};
 use super::{common, inside, lobes, obstacle, rose};
-use crate::formats::write;
 use crate::growth::{Envelope, Limits, Outcome, Simulation};
 use crate::input::Sources;
 use crate::pipeline::{self, Ages, Built, Cache, Params, Seed};
@@ -118,9 +117,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         common::print(&Species::growing_or_roses().join("\n"))?;
         return Ok(ExitCode::SUCCESS);
     }
-    for out in args.out.iter().filter(|out| !is_picture(out)) {
-        write::format_of(out)?;
-    }
+    check_names(&args.out)?;
     let name = args.species.as_deref().context("which species?")?;
     let species = open_species(name)?;
     let sources = sources_of(args, &species);

@@ -12,7 +12,7 @@ use crate::pipeline::{self, Built};
 use crate::plant::Texture;
 use crate::render::{Background, Direction, ModelDrawData, PictureOptions, Projection, Renderer, View};
 use crate::species::Species;
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, anyhow, ensure};
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -26,6 +26,17 @@ pub fn open_species(name: &str) -> Result<Species> {
 /// Whether an output is a picture, not a model.
 pub fn is_picture(out: &Path) -> bool {
     out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+}
+
+/// Says early that an output is neither a model nor a picture.
+///
+/// # Errors
+/// The first whose name does not say a format.
+pub fn check_names(outputs: &[PathBuf]) -> Result<()> {
+    for out in outputs.iter().filter(|out| !is_picture(out)) {
+        write::format_of(out).map_err(|error| anyhow!("{error}; png for a picture"))?;
+    }
+    Ok(())
 }
 
 /// Width and height of a picture in pixels, written `1200x900`.

@@ -62,15 +62,15 @@ use bodies::{ball, body, fruits, mushroom, pads};
 use corrected::Corrected;
 use flowers::{bell, bud, corolla, corolla_on_stem, cup, gathered, lotus, rays, rose, row};
 use leaves::{
-    above_pot, clover, double_stem, leaf, leaf_loops, leafy_stem, lobed_leaf, potted_stem, stem_arcs,
-    stem_loops, strap,
+    above_pot, clover, double_stem, leaf, leaf_loops, leafy_branches, leafy_stem, lobed_leaf, potted_stem,
+    stem_arcs, stem_loops, strap,
 };
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use trees::{bare, bush, conifer, tree, tree_on_line};
+use trees::{bare, bush, conifer, poplar_row, tree, tree_on_line};
 use tufts::{fronds, grass, lawn, tuft};
 use whole::Looks;
 
@@ -216,6 +216,7 @@ const BENEATH: &[Propose] = &[pot::propose, frame::propose, ground::propose];
 const CONVENTIONS: &[Propose] = &[
     tree::propose,
     tree_on_line::propose,
+    poplar_row::propose,
     bare::propose,
     conifer::propose,
     bush::propose,
@@ -238,6 +239,7 @@ const CONVENTIONS: &[Propose] = &[
     lobed_leaf::propose,
     clover::propose,
     leafy_stem::propose,
+    leafy_branches::propose,
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,

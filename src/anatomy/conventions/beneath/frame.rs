@@ -1,14 +1,16 @@
-//! What stands around or beside plants and is none: windows, frames, fences.
+//! What stands around or beside plants and is none: windows, frames, fences, jars.
 //!
 //! A window, a frame or a table is put together from straight lines, level and plumb, each of which meets two of the other kind. It
 //! is about as wide as high; what is narrow is a trunk with its bark. A fence is a row of upright lines of one height, evenly spaced, that
-//! rails cross in their middle. Both become no part of a plant, whatever they touch.
+//! rails cross in their middle. A jar is an outline around all else, in which a level line from side to side carries what stands on it; its neck and lid are
+//! above. None of them becomes a part of a plant, whatever they touch.
 //!
-//! Limits: frames in one stroke are outlines; a fence whose pales have no rail is grass.
+//! Limits: frames in one stroke are outlines; a jar without earth is one as well; a fence whose pales have no rail is grass.
 
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::{Line, Page, median};
 use crate::geom::polyline;
+use crate::geom::region::Region;
 use crate::sketch::Reading;
 use glam::Vec2;
 
@@ -32,12 +34,18 @@ const PALE: (f32, usize, f32, f32) = (1.3, 4, 0.35, 2.2);
 const MIDDLE: f32 = 0.12;
 /// Least part of a rail's width that its pales stand along.
 const ALONG: f32 = 0.6;
+/// Of a jar: largest opening of its outline and least of its hull that it fills; how far from it its earth ends at most, as a share of its width; how high above
+/// the earth what grows there begins at most, as a share of the jar's height, and fewest such lines; the part of its height, from above,
+/// where lines outside are its neck.
+const JAR: (f32, f32) = (0.3, 0.8);
+const EARTH: (f32, f32, f32, usize) = (0.08, 0.06, 0.2, 2);
+const NECK: f32 = 0.12;
 /// Log-odds.
 const SCORE: f32 = 3.0;
 
 /// Proposes the frame and the fence of a page.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
-    let found = [fence(page), frame(page)].into_iter().flatten().next();
+    let found = [fence(page), frame(page), jar(page)].into_iter().flatten().next();
     out.extend(found.map(|uses| Hypothesis::apart(uses, SCORE, Reading::Frame)));
 }
 
@@ -138,6 +146,40 @@ fn frame(page: &Page) -> Option<Vec<usize>> {
     is_frame.then(|| members.into_iter().map(|member| member.0).collect())
 }
 
+/// The outline of a jar with its neck, ascending, if all else is in it and stands on earth there.
+fn jar(page: &Page) -> Option<Vec<usize>> {
+    let lines = || (0..page.lines.len()).filter(|i| !page.is_apart(*i));
+    let area = |i: &usize| page.lines[*i].hull_area;
+    let glass = lines().max_by(|a, b| area(a).total_cmp(&area(b)))?;
+    let outline = &page.lines[glass];
+    if outline.openness > JAR.0 || outline.solidity() < JAR.1 {
+        return None;
+    }
+    let (low, high) = outline.bounds;
+    let size = high - low;
+    let region = Region::new(outline.hull.clone());
+    let is_inside = |i: &usize| {
+        let points = &page.lines[*i].points;
+        points.iter().filter(|p| region.contains(**p)).count() * 10 >= points.len() * 9
+    };
+    let (inside, outside): (Vec<usize>, Vec<usize>) = lines().filter(|i| *i != glass).partition(is_inside);
+    let is_neck = |i: &usize| page.lines[*i].bounds.1.y < low.y + NECK * size.y;
+    let gap = |p: Vec2| polyline::nearest(&outline.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
+    let is_earth = |line: &Line| {
+        let ends = line.ends();
+        line.size().y < EARTH.2 * line.size().x
+            && gap(ends.0).max(gap(ends.1)) < EARTH.0 * size.x
+            && line.middle().y > low.y.midpoint(high.y)
+    };
+    let earth = inside.iter().find(|i| is_earth(&page.lines[**i])).map(|i| &page.lines[*i])?;
+    let stands = |i: &&usize| (page.lines[**i].bounds.1.y - earth.middle().y).abs() < EARTH.1 * size.y;
+    let is_jar = outside.iter().all(is_neck) && inside.iter().filter(stands).count() > EARTH.3;
+    let mut uses = outside;
+    uses.push(glass);
+    uses.sort_unstable();
+    is_jar.then_some(uses)
+}
+
 /// Whether a line is straight and level, or straight and plumb; nothing if it is neither.
 fn is_level(page: &Page, line: &Line) -> Option<bool> {
     let way = (line.ends().1 - line.ends().0).abs();
@@ -199,5 +241,27 @@ mod tests {
         assert_eq!(read(&lines), [[0, 1, 2, 3, 4]]);
         assert!(read(&window(20.0)).is_empty());
         assert!(read(&lines[1..4]).is_empty());
+    }
+
+    #[test]
+    fn a_jar_around_plants_that_stand_on_earth_in_it_is_a_frame_and_a_crown_with_a_line_is_none() {
+        let jar = line(&[
+            (60.0, 0.0),
+            (140.0, 0.0),
+            (200.0, 80.0),
+            (190.0, 220.0),
+            (10.0, 220.0),
+            (0.0, 80.0),
+            (60.0, 0.0),
+        ]);
+        let lid = line(&[(50.0, -10.0), (150.0, -10.0)]);
+        let earth = line(&[(6.0, 160.0), (100.0, 155.0), (194.0, 160.0)]);
+        let sprout = |x: f32| line(&[(x, 158.0), (x + 4.0, 90.0)]);
+        let all = [jar, lid, earth, sprout(70.0), sprout(120.0)];
+        assert_eq!(read(&all), [[0, 1]]);
+        assert!(read(&all[..3]).is_empty(), "nothing grows in it");
+        assert!(read(&[&all[..2], &all[3..]].concat()).is_empty(), "no earth");
+        let stem = line(&[(100.0, 215.0), (100.0, 330.0)]);
+        assert!(read(&[&all[..], &[stem]].concat()).is_empty(), "it stands on a trunk");
     }
 }

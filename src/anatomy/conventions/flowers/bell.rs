@@ -5,7 +5,9 @@
 //! past the bell's edge, which tells it from a plant over its pot. The bell becomes a cup of petals ([`cup`](super::cup)) from the end
 //! of its stalk to its edge.
 //!
-//! Limits: bells that are turned up or to the side; bells without a stalk.
+//! Bells without a stalk hang from a place of their stem where the upper ends of two lines meet.
+//!
+//! Limits: bells that are turned up or to the side; bells without a stalk in one line.
 
 use super::cup;
 use crate::anatomy::conventions::page::{Line, Page, bounds};
@@ -48,7 +50,8 @@ const SCORE: f32 = 4.2;
 /// Proposes a bell at the end of each line that has one.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stalks = (0..page.lines.len()).filter(|i| !page.is_apart(*i) && page.lines[*i].openness > OPEN);
-    let ends: Vec<Stalk> = stalks.flat_map(|i| Stalk::of(page, i)).collect();
+    let mut ends: Vec<Stalk> = stalks.flat_map(|i| Stalk::of(page, i)).collect();
+    ends.extend(on_stems(page));
     let around = |stalk: &Stalk| {
         let reach = HEIGHT.1 * page.diagonal;
         (stalk.end - Vec2::new(reach, 0.2 * reach), stalk.end + Vec2::splat(reach))
@@ -88,6 +91,49 @@ impl Stalk {
         own.bounds.1.y > edge
             || page.lines.iter().enumerate().any(|(i, line)| i != self.number && carries(line))
     }
+}
+
+/// The places of stems where the upper ends of two lines meet, as the ends of stalks.
+fn on_stems(page: &Page) -> Vec<Stalk> {
+    let upper = |i: usize| {
+        let (a, b) = page.lines[i].ends();
+        if a.y < b.y { (a, b) } else { (b, a) }
+    };
+    let is_side = |i: &usize| {
+        let (top, foot) = upper(*i);
+        !page.is_apart(*i)
+            && page.lines[*i].openness > OPEN
+            && foot.y - top.y > HEIGHT.0 * page.diagonal
+            && foot.y - top.y < HEIGHT.1 * page.diagonal
+    };
+    let sides: Vec<usize> = (0..page.lines.len()).filter(is_side).collect();
+    let around = |i: &usize| {
+        let reach = Vec2::splat(MEET * page.lines[*i].length);
+        (upper(*i).0 - reach, upper(*i).0 + reach)
+    };
+    let near = page.lines_at(&sides.iter().map(around).collect::<Vec<_>>());
+    let stalk = |(side, near): (&usize, Vec<usize>)| {
+        let (top, reach) = (upper(*side).0, MEET * page.lines[*side].length);
+        let is_beside = |other: &&usize| {
+            let middle = page.lines[**other].middle();
+            **other > *side
+                && sides.binary_search(other).is_ok()
+                && upper(**other).0.distance(top) < reach
+                && (middle.x - top.x) * (page.lines[*side].middle().x - top.x) < 0.0
+        };
+        let other = *near.iter().find(is_beside)?;
+        let passes = |stem: &&usize| {
+            let line = &page.lines[**stem];
+            let (first, last) = line.ends();
+            // What ends here is a stalk.
+            let goes_on = first.distance(top).min(last.distance(top)) > 2.0 * reach;
+            let is_other = **stem != *side && **stem != other && line.openness > OPEN;
+            is_other && goes_on && polyline::nearest(&line.points, top).is_some_and(|(gap, _)| gap < reach)
+        };
+        let end = top.midpoint(upper(other).0);
+        near.iter().find(passes).map(|stem| Stalk { number: *stem, end, begin: end })
+    };
+    sides.iter().zip(near).filter_map(stalk).collect()
 }
 
 fn bell(page: &Page, stalk: &Stalk, near: &[usize]) -> Option<Hypothesis> {
@@ -196,6 +242,22 @@ mod tests {
         let lines = [vec![stem], bells].concat();
         let uses: Vec<Vec<usize>> = read_by(propose, &lines).into_iter().map(|it| it.uses).collect();
         assert_eq!(uses, [vec![2, 3, 4], vec![6, 7, 8], vec![10, 11, 12]]);
+    }
+
+    #[test]
+    fn bells_of_three_lines_hang_from_their_stem_without_a_stalk() {
+        let stem = line(&[(0.0, 0.0), (10.0, -120.0), (60.0, -190.0), (150.0, -200.0), (190.0, -170.0)]);
+        let bell = |x: f32, y: f32| {
+            [
+                line(&[(x, y), (x - 16.0, y + 36.0)]),
+                line(&[(x - 16.0, y + 36.0), (x + 16.0, y + 35.0)]),
+                line(&[(x + 16.0, y + 35.0), (x + 1.0, y)]),
+            ]
+        };
+        let lines = [vec![stem], [bell(80.0, -193.0), bell(135.0, -198.0)].concat()].concat();
+        let uses: Vec<Vec<usize>> = read_by(propose, &lines).into_iter().map(|it| it.uses).collect();
+        assert_eq!(uses, [vec![1, 2, 3], vec![4, 5, 6]]);
+        assert!(read_by(propose, &lines[1..]).is_empty(), "no stem");
     }
 
     #[test]

@@ -99,6 +99,9 @@ const TRUNK: (f32, f32, f32) = (0.25, 0.08, 0.12);
 /// Least chord of a line through a corolla over its length, and how far its ends are from the centre, in reaches of the petals.
 const THROUGH: (f32, f32) = (0.85, 1.1);
 
+/// Fewest other corollas that make one doubtful, the parts of each and one, and least of the smaller centre in the larger.
+const LIKE: (usize, usize, f32) = (2, 6, 0.75);
+
 /// Points of a centre's outline.
 const RING: usize = 90;
 
@@ -111,7 +114,25 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     };
     let boxes: Vec<(Vec2, Vec2)> = centres.iter().map(grown).collect();
     let near = page.lines_at(&boxes);
-    out.extend(centres.iter().zip(near).filter_map(|(centre, near)| corolla(page, *centre, &near)));
+    let found =
+        centres.iter().zip(near).filter_map(|(centre, near)| Some((*centre, corolla(page, *centre, &near)?)));
+    let found: Vec<(usize, Hypothesis)> = found.collect();
+    let is_flower: Vec<bool> = found.iter().map(|it| !is_among_its_like(page, it, &found)).collect();
+    out.extend(found.into_iter().zip(is_flower).filter(|(_, is_flower)| *is_flower).map(|((_, it), _)| it));
+}
+
+/// Whether several of a corolla's petals may as well be the centre: each as large as that, with as many petals of which the centre is one. Grapes in
+/// a bunch are so, and grains of an ear.
+fn is_among_its_like(page: &Page, (centre, own): &(usize, Hypothesis), all: &[(usize, Hypothesis)]) -> bool {
+    let size = |line: usize| page.lines[line].size().max_element();
+    let is_like = |(other, it): &&(usize, Hypothesis)| {
+        other != centre
+            && it.uses.binary_search(centre).is_ok()
+            && own.uses.binary_search(other).is_ok()
+            && it.parts.len() + 1 >= own.parts.len().max(LIKE.1)
+            && (LIKE.2..1.0 / LIKE.2).contains(&(size(*other) / size(*centre)))
+    };
+    all.iter().filter(is_like).count() >= LIKE.0
 }
 
 /// Whether a line may be a flower's centre: a disc, a spiral or a scribble about as wide as high.

@@ -169,3 +169,17 @@ fn leaves_on_a_line_that_goes_on_are_no_corolla() {
     assert_eq!(with(60.0).len(), 1, "a stem that ends at it");
     assert!(with(-120.0).is_empty());
 }
+
+#[test]
+fn circles_of_which_any_may_be_the_centre_are_a_bunch_of_grapes_and_seven_are_a_flower() {
+    let at = |row: i32, place: i32| {
+        let middle = Vec2::new(40.0 * place as f32 + 20.0 * row as f32, 34.6 * row as f32);
+        circle(20.0).into_iter().map(|p| middle + p).collect::<Vec<_>>()
+    };
+    let bunch: Vec<Vec<Vec2>> =
+        (0..5).flat_map(|row| (0..5 - row).map(move |place| at(row, place))).collect();
+    assert!(read(&bunch).is_empty());
+    let around =
+        [(0, 0), (0, 1), (0, -1), (1, 0), (1, -1), (-1, 0), (-1, 1)].map(|(row, place)| at(row, place));
+    assert_eq!(read(&around).len(), 1);
+}

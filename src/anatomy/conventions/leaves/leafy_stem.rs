@@ -5,7 +5,7 @@
 //!
 //! Limits: leaves with stalks of their own, leaves on side twigs.
 
-use crate::anatomy::conventions::page::{Line, Page};
+use crate::anatomy::conventions::page::{Line, Page, median};
 use crate::anatomy::conventions::shapes::lobes;
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::geom::polyline;
@@ -24,14 +24,19 @@ const AROUND: f32 = 0.05;
 const TOUCH: f32 = 0.1;
 /// Least share of the rest of a leaf that lies on one side of its twig.
 const ONE_SIDE: f32 = 0.75;
-/// Share of a twig from which its end begins.
-const END: f32 = 0.92;
+/// Share of a twig from which its end begins, and how far below the highest root in sizes of a leaf.
+pub(super) const END: f32 = 0.92;
+const TOP: f32 = 0.6;
+/// Least of its hull that a leaf at the end fills.
+const CONVEX: f32 = 0.9;
 /// Most at its end that are no petals, where so many others are along it: an ear.
-const EAR: (usize, usize) = (3, 5);
+const EAR: (usize, usize) = (3, 4);
 /// Fewest leaves, most, and how far apart the outer roots are at least, as a share of the twig.
 const LEAVES: (usize, usize) = (3, 60);
 const SPREAD: f32 = 0.3;
-/// Least share of what is drawn that the twig is: leaves on the stem of something else are read one by one.
+/// The same for so many leaves, in sizes of the middle one: an ear at the end of a long stem.
+const DENSE: (usize, f32) = (6, 1.2);
+/// Least share of what is drawn, or of what touches it, that the twig is: leaves on the stem of something else are read one by one.
 const EXPLAINED: f32 = 0.85;
 /// Log-odds, and more for each leaf up to so many.
 const SCORE: (f32, f32, usize) = (4.0, 0.25, 12);
@@ -53,12 +58,13 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
 }
 
 fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
-    let explain = |lines: &[usize]| {
-        lines.iter().map(|line| page.lines[*line].length).sum::<f32>() >= EXPLAINED * page.length
-    };
-    if !(LEAVES.0..=LEAVES.1).contains(&near.len()) || !explain(near) {
+    if !(LEAVES.0..=LEAVES.1).contains(&near.len()) {
         return None;
     }
+    let length = |lines: &[usize]| lines.iter().map(|line| page.lines[*line].length).sum::<f32>();
+    let whole = page.groups.iter().find(|group| group.binary_search(&number).is_ok());
+    let whole = whole.map_or(page.length, |group| length(group));
+    let explain = |lines: &[usize]| length(lines) >= EXPLAINED * whole;
     let twig = &page.lines[number];
     let mut way = twig.points.clone();
     if way[0].y < way[way.len() - 1].y {
@@ -69,14 +75,21 @@ fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
         .filter(|i| **i != number)
         .filter_map(|i| Leaf::new(*i, &page.lines[*i], &way, twig.length))
         .collect();
-    let at_end = leaves.iter().filter(|leaf| leaf.share > END).count();
+    // A head with teeth at the end is a flower.
+    leaves.retain(|leaf| leaf.share <= END || page.lines[leaf.line].solidity() > CONVEX);
+    let mut sizes: Vec<f32> = leaves.iter().map(|leaf| page.lines[leaf.line].size().max_element()).collect();
+    let size = if sizes.is_empty() { 0.0 } else { median(&mut sizes) };
+    let last = leaves.iter().map(|leaf| leaf.share).fold(0.0, f32::max);
+    let is_at_end = |leaf: &Leaf| leaf.share > END && (last - leaf.share) * twig.length < TOP * size;
+    let at_end = leaves.iter().filter(|leaf| is_at_end(leaf)).count();
     let is_ear = at_end <= EAR.0 && leaves.len() - at_end >= EAR.1;
     if at_end > 1 && !is_ear {
-        leaves.retain(|leaf| leaf.share <= END);
+        leaves.retain(|leaf| !is_at_end(leaf));
     }
     let shares = leaves.iter().map(|leaf| leaf.share);
     let (first, last) = shares.fold((f32::INFINITY, 0.0_f32), |(a, b), share| (a.min(share), b.max(share)));
-    if leaves.len() < LEAVES.0 || last - first < SPREAD {
+    let is_dense = leaves.len() >= DENSE.0 && (last - first) * twig.length > DENSE.1 * size;
+    if leaves.len() < LEAVES.0 || last - first < SPREAD && !is_dense {
         return None;
     }
     let mut uses: Vec<usize> = leaves.iter().map(|leaf| leaf.line).chain([number]).collect();
@@ -92,16 +105,18 @@ fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
 }
 
 /// An outline at a twig.
-struct Leaf {
-    line: usize,
+pub(super) struct Leaf {
+    /// Its line on the page.
+    pub(super) line: usize,
     /// From its root around and back.
-    ring: Vec<Vec2>,
+    pub(super) ring: Vec<Vec2>,
     /// Where along the twig, from its foot, its root is, from 0 to 1.
-    share: f32,
+    pub(super) share: f32,
 }
 
 impl Leaf {
-    fn new(number: usize, line: &Line, way: &[Vec2], length: f32) -> Option<Self> {
+    /// An outline as a leaf of a twig that is `length` long.
+    pub(super) fn new(number: usize, line: &Line, way: &[Vec2], length: f32) -> Option<Self> {
         let size = line.size().max_element();
         if !line.is_closed_and_solid() || line.is_scribble() || size > LARGE * length {
             return None;
@@ -202,5 +217,23 @@ mod tests {
         assert!(read(&[vec![twig()], pair.to_vec()].concat()).is_empty());
         let across = |y: f32| oval((-25.0, y), (60.0, 0.0));
         assert!(read(&[twig(), across(-50.0), across(-100.0), across(-150.0)]).is_empty());
+    }
+
+    #[test]
+    fn an_ear_at_the_end_of_a_long_stem_is_read_beside_others_and_a_tulip_is_none() {
+        let ear = |x: f32| {
+            let grain = move |k: usize| {
+                let (y, sign) = (-300.0 - 22.0 * (k / 2) as f32, [1.0, -1.0][k % 2]);
+                oval((x + sign, y), (16.0 * sign, -16.0))
+            };
+            [line(&[(x, 0.0), (x, -350.0)])].into_iter().chain((0..6).map(grain))
+        };
+        let found = read(&[0.0, 120.0, 240.0].into_iter().flat_map(ear).collect::<Vec<_>>());
+        assert_eq!(found.iter().map(|ear| ear.uses.len()).collect::<Vec<_>>(), [7, 7, 7]);
+        let cup = [(0.0, -200.0), (-25.0, -215.0), (-27.0, -260.0), (-12.0, -235.0), (0.0, -262.0)];
+        let other = [(12.0, -235.0), (27.0, -260.0), (25.0, -215.0), (0.0, -200.0)];
+        let head = line(&[&cup[..], &other[..]].concat());
+        let leaves = [oval((1.0, -20.0), (45.0, -60.0)), oval((-1.0, -20.0), (-45.0, -60.0))];
+        assert!(read(&[twig(), head, leaves[0].clone(), leaves[1].clone()]).is_empty());
     }
 }

@@ -11,6 +11,7 @@
 //! | `above_pot` | leaves over a pot, without a stem |
 //! | `clover` | notched leaflets about one place |
 //! | `leafy_stem` | a twig: outlines of leaves along a line |
+//! | `leafy_branches` | a branched stem of lines with leaves at their ends and along them |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `double_stem` | a stem by its two sides |
 //! | `strap` | long leaves of two edges from the foot of a stem |
@@ -27,6 +28,7 @@ pub(crate) mod leaf;
 pub(crate) mod leaf_area;
 pub(crate) mod leaf_loops;
 pub(crate) mod leaf_parts;
+pub(crate) mod leafy_branches;
 pub(crate) mod leafy_stem;
 pub(crate) mod lobed_leaf;
 mod open_ends;

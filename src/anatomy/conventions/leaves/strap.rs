@@ -40,9 +40,11 @@ const CROSSED: f32 = 0.3;
 const MOUTH: f32 = 0.35;
 const FEWEST: usize = 3;
 const MOSTLY: f32 = 0.8;
-/// Log-odds, and of all leaves in a pot.
+/// Longest band across a leaf, as a share of its length.
+const BAND: f32 = 0.25;
+/// Log-odds, and of leaves in a pot: of all, and for each.
 const SCORE: f32 = 4.5;
-const POTTED: f32 = 5.5;
+const POTTED: (f32, f32) = (1.0, 4.5);
 
 /// Proposes each strap leaf at a stem.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -112,6 +114,7 @@ fn in_pot(
     let outlines: Vec<Vec<Vec2>> = leaves.iter().map(|(a, b)| ring(a, b)).collect();
     let mut uses: Vec<usize> = leaves.iter().flat_map(|(a, b)| [a.number, b.number]).collect();
     uses.extend(outlines.iter().flat_map(|outline| page.with_what_is_inside(&[], outline)));
+    uses.extend(bands(page, &outlines));
     uses.sort_unstable();
     uses.dedup();
     let length: f32 = uses.iter().map(|i| page.lines[*i].length).sum();
@@ -123,8 +126,22 @@ fn in_pot(
         Made::new(Tool::Leaf, [foot].into_iter().chain(outline).chain([foot]))
     };
     let parts = leaves.iter().zip(outlines).map(blade).collect();
-    let reading = Reading::Fronds;
-    Some(Hypothesis { uses, score: POTTED, parts, solids: Vec::new(), reading, habit: None })
+    let (reading, score) = (Reading::Fronds, POTTED.0 + POTTED.1 * leaves.len() as f32);
+    Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit: None })
+}
+
+/// Short lines whose middle lies in one of these outlines, though they stick out of it.
+fn bands(page: &Page, outlines: &[Vec<Vec2>]) -> Vec<usize> {
+    let regions: Vec<(Region, f32)> = outlines
+        .iter()
+        .map(|outline| (Region::new(outline.clone()), BAND * 0.5 * polyline::length(outline)))
+        .collect();
+    let is_band = |i: &usize| {
+        let line = &page.lines[*i];
+        !page.is_apart(*i)
+            && regions.iter().any(|(region, long)| line.length < *long && region.contains(line.middle()))
+    };
+    (0..page.lines.len()).filter(is_band).collect()
 }
 
 /// Whether something that begins in the upper half of a stem is near its upper end: an edge of a blade of grass carries nothing.

@@ -34,6 +34,35 @@ pub(crate) fn has_blades(lines: &[&Line], whole: Vec2) -> bool {
     lines.iter().filter(is_blade).count() >= BLADES.0
 }
 
+/// Fewest lines of a fan in a crown, how far from the crown's lower end they begin, as a share of its diagonal, how straight and, as a share of its
+/// height, how long they are, and how far apart they begin, as a share of how far apart they end.
+const FAN: (usize, f32, f32, f32) = (4, 0.12, 0.5, 0.35);
+
+/// Whether many straight lines spread in a crown from its lower end at `x`: the veins of a ginkgo's leaf.
+pub(crate) fn has_fan(lines: &[&Line], crown: &[Vec2], x: f32) -> bool {
+    let (low, high) = polyline::bounds(crown.iter().copied());
+    let size = high - low;
+    let foot = Vec2::new(x, high.y);
+    let vein = |line: &&Line| {
+        let (a, b) = line.ends();
+        let (near, far) = if a.distance(foot) < b.distance(foot) { (a, b) } else { (b, a) };
+        let is_vein = near.distance(foot) < FAN.1 * size.length()
+            && far.y < near.y
+            && near.distance(far) > FAN.2 * line.length.max(size.y)
+            && line.points.iter().all(|p| p.cmpge(low).all() && p.cmple(high).all());
+        is_vein.then_some((near.x, far.x))
+    };
+    let veins: Vec<(f32, f32)> = lines.iter().filter_map(vein).collect();
+    let spread = |place: fn(&(f32, f32)) -> f32| {
+        let ends = veins
+            .iter()
+            .map(place)
+            .fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        ends.1 - ends.0
+    };
+    veins.len() >= FAN.0 && spread(|vein| vein.0) < FAN.3 * spread(|vein| vein.1)
+}
+
 /// Fewest and most balls of foliage that are a crown together, how far apart their middles are at most, in the sum of their half sizes, and least
 /// size of one, as a share of another's: petals around a centre are more, and that is smaller.
 const BALLS: (usize, usize, f32, f32) = (2, 4, 1.05, 0.5);

@@ -4,6 +4,7 @@
 //! | --- | --- |
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `tree_on_line` | a crown on a trunk that is a single line |
+//! | `poplar_row` | slender crowns on short lines, side by side |
 //! | `bare` | a bare tree: boughs and twigs of single lines |
 //! | `conifer` | a fir: what narrows to a point in steps |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
@@ -22,6 +23,7 @@ pub(crate) mod conifer;
 pub(crate) mod evidence;
 pub(crate) mod half_crown;
 pub(crate) mod half_fir;
+pub(crate) mod poplar_row;
 pub(crate) mod stacked;
 pub(crate) mod tilted;
 pub(crate) mod tree;

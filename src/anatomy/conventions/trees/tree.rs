@@ -161,7 +161,10 @@ fn is_stem(trunk: &Trunk, crown: &[Vec2], lines: &[&Line]) -> bool {
     let (low, high) = polyline::bounds(crown.iter().copied());
     let is_thin = 2.0 * trunk.narrow < THIN * (high.x - low.x);
     let is_long = trunk.height() > LONG.0 * (high.y - low.y) && trunk.height() > LONG.1 * 2.0 * trunk.narrow;
-    is_thin && (is_long || evidence::has_flower_centre(lines, crown))
+    is_thin
+        && (is_long
+            || evidence::has_flower_centre(lines, crown)
+            || evidence::has_fan(lines, crown, trunk.axis()))
 }
 
 /// Log-odds that lobes speak for a crown: it is full, and has shallow notches all around or was drawn by several bows; the more

@@ -82,7 +82,7 @@ fn tree(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let uses = page.with_what_is_inside(group, &outline);
     let all: Vec<&Line> = uses.iter().map(|i| &page.lines[*i]).collect();
-    if evidence::has_flower_centre(&all, &outline) {
+    if evidence::has_flower_centre(&all, &outline) || evidence::has_fan(&all, &outline, trunk.axis()) {
         return None;
     }
     let score = Crown { outline: &outline, lines: &whole, trunk: &points }.score()?;
@@ -263,5 +263,13 @@ mod tests {
     fn two_lines_are_no_single_one() {
         let sides = [-8.0, 8.0].map(|x| line(&[(x, 40.0), (x, -58.0)]));
         assert!(read(&[cloud(8.0, 0.15), sides[0].clone(), sides[1].clone()]).is_empty());
+    }
+
+    #[test]
+    fn a_fan_of_veins_is_a_leaf_and_twigs_along_the_trunk_are_a_tree() {
+        let vein = |x: f32| line(&[(0.0, -60.0), (x, -125.0)]);
+        let fan: Vec<Vec<Vec2>> = [-30.0, -15.0, 0.0, 15.0, 30.0].map(vein).to_vec();
+        assert!(read(&[vec![stem(), cloud(2.0, 0.1)], fan.clone()].concat()).is_empty());
+        assert_eq!(read(&[vec![stem(), cloud(2.0, 0.1)], fan[1..4].to_vec()].concat()).len(), 1, "few");
     }
 }

@@ -49,6 +49,9 @@ const TEETH: f32 = 0.1;
 /// Least height of the trunk, as a share of the farthest frond's reach: what is lower is where a tuft is gathered.
 const HIGH: f32 = 0.25;
 
+/// From which share of its length on a strand hangs, its most run over its rise there, fewest strands, and least share of the lines that they are.
+const STRANDS: (f32, f32, usize, f32) = (0.7, 0.35, 4, 0.7);
+
 /// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let potted = out.iter().find(|other| other.reading == Reading::Pot).and_then(|pot| potted(page, pot));
@@ -100,6 +103,7 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         || trunk.foot().y - trunk.top().y < HIGH * crown.reach
         || trunk.is_line() && !(crown.has_blades() && crown.apart <= APART && crown.sits_on(&trunk, &rest))
         || lies_below(&rest, &trunk)
+        || are_strands(&rest, &trunk)
     {
         return None;
     }
@@ -145,6 +149,22 @@ fn doubt(page: &Page, group: &[usize], uses: &[usize], reach: f32) -> f32 {
     let over: f32 = group.iter().filter(|line| uses.binary_search(line).is_err()).map(length).sum();
     let all: f32 = group.iter().map(length).sum();
     STOUT.1 * (1.0 - ramp(reach, STOUT.0)) + OVER * over / all
+}
+
+/// Whether most lines fall straight down to beside the lower half of the trunk: branches of a willow.
+fn are_strands(rest: &[(Vec<Vec2>, usize)], trunk: &TrunkSides) -> bool {
+    let half = 0.5 * (trunk.foot().y + trunk.top().y);
+    let falls = |(run, _): &&(Vec<Vec2>, usize)| {
+        let far = |p: Vec2| p.distance_squared(trunk.top());
+        let mut run = run.clone();
+        if far(run[0]) > far(run[run.len() - 1]) {
+            run.reverse();
+        }
+        let end = run[run.len() - 1] - run[(STRANDS.0 * (run.len() - 1) as f32) as usize];
+        run[run.len() - 1].y > half && end.y > 0.0 && end.x.abs() < STRANDS.1 * end.y
+    };
+    let strands = rest.iter().filter(falls).count();
+    strands >= STRANDS.2 && strands as f32 > STRANDS.3 * rest.len() as f32
 }
 
 /// Whether much of the rest lies beside the lower half of the trunk.
@@ -369,5 +389,19 @@ mod tests {
         let found = read(&[left, right, line, shade]);
         let best = found.iter().max_by(|a, b| a.score.total_cmp(&b.score)).unwrap();
         assert_eq!((best.parts.len(), &best.uses[..]), (3, &[0, 1, 2, 3][..]));
+    }
+
+    #[test]
+    fn lines_that_fall_beside_the_trunk_to_its_foot_are_no_fronds() {
+        let strand = |x: f32, low: f32| {
+            let top = Vec2::new(10.0, -104.0);
+            vec![top, top + Vec2::new(0.7 * x, -30.0), top + Vec2::new(x, -10.0), Vec2::new(10.0 + x, low)]
+        };
+        let all = |low: f32| {
+            let strands = [-70.0, -50.0, -30.0, 30.0, 50.0, 70.0].map(|x| strand(x, low));
+            read(&[&sides()[..], &strands[..]].concat())
+        };
+        assert!(all(-12.0).is_empty());
+        assert_eq!(all(-80.0).len(), 1, "a palm");
     }
 }

@@ -9,7 +9,7 @@
 //!
 //! Limits: grass that lies is not found; nor is the upper edge of a lawn that has too few tips for a zigzag.
 
-use crate::anatomy::conventions::page::{Line, Page, median};
+use crate::anatomy::conventions::page::{self, Line, Page, median};
 use crate::anatomy::conventions::shapes::spikes::{Spike, joined};
 use crate::anatomy::conventions::shapes::teeth::{is_upright, upright_spikes, zigzag};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
@@ -46,6 +46,9 @@ const STEEP: f32 = 0.2;
 const LONG_ROW: f32 = 4.0;
 /// How far the lowest one or two lines begin below all others, as a share of the height of all, where these are at least so many: a trunk's.
 const TRUNK: (f32, usize) = (0.2, 4);
+/// Least width of an arch over lines that hang from it, as a share of theirs, how far below it they begin at most, as a share of its width, and how many do
+/// at least.
+const ARCH_OVER: (f32, f32, f32) = (0.8, 0.16, 0.6);
 /// Height from which a line is no blade beside others, in heights of the one in the middle of all.
 const GIANT: f32 = 3.5;
 /// Least width of a hill's line over its length, and how near to its lowest place both ends are, in its heights.
@@ -140,7 +143,8 @@ fn blades_of(page: &Page, upright: &[usize]) -> Option<Hypothesis> {
     let (single, double): (Vec<_>, Vec<_>) = all.partition(|(spike, _)| spike.flanks.len() == 1);
     let mut blades = joined(single, |tip| tip.x);
     blades.extend(double.into_iter().map(|(spike, line)| (spike, vec![line])));
-    if upright.len() < LINES || blades.len() < BLADES || stand_on_trunk(page, upright) {
+    if upright.len() < LINES || blades.len() < BLADES || stand_on_trunk(page, upright) || hang(page, upright)
+    {
         return None;
     }
     let (ground, height) = ground_of(&blades).or_else(|| foot_of_hill(page, &blades))?;
@@ -178,6 +182,29 @@ fn stand_on_trunk(page: &Page, lines: &[usize]) -> bool {
         feet.len() >= below + TRUNK.1 && feet[below - 1] - feet[below] > TRUNK.0 * (feet[0] - high)
     };
     parts(1) || parts(2)
+}
+
+/// Whether most of some lines hang from an arch over all of them: the branches of a willow.
+pub(super) fn hang(page: &Page, lines: &[usize]) -> bool {
+    let (low, high) = page::bounds(lines.iter().map(|line| &page.lines[*line]));
+    let is_arch = |line: &Line| {
+        let size = line.size();
+        let ends = line.ends();
+        size.x > ARCH_OVER.0 * (high.x - low.x)
+            && line.bounds.0.y < low.y
+            && ends.0.y.min(ends.1.y) > line.bounds.0.y + 0.3 * size.y
+            && ends.0.distance(ends.1) > 0.5 * size.x
+    };
+    let hangs_from = |arch: &Line, line: &Line| {
+        let top = line.points.iter().copied().min_by(|a, b| a.y.total_cmp(&b.y));
+        top.and_then(|top| polyline::nearest(&arch.points, top))
+            .is_some_and(|(gap, _)| gap < ARCH_OVER.1 * arch.size().x)
+    };
+    let arches = page.lines.iter().enumerate().filter(|(i, line)| !page.is_apart(*i) && is_arch(line));
+    arches.into_iter().any(|(_, arch)| {
+        let hanging = lines.iter().filter(|line| hangs_from(arch, &page.lines[**line])).count();
+        hanging as f32 > ARCH_OVER.2 * lines.len() as f32
+    })
 }
 
 /// Those of some lines that are not much higher than most: a flower in grass is no blade.

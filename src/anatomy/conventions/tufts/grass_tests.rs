@@ -238,3 +238,18 @@ fn boughs_that_hang_from_a_trunk_are_no_grass() {
     let sides = [-18.0, 20.0].map(|x| vec![Vec2::new(x, 386.0), Vec2::new(0.9 * x, 197.0)]);
     assert!(read(&[boughs, sides.to_vec()].concat()).is_empty());
 }
+
+#[test]
+fn lines_that_hang_from_an_arch_are_no_grass_and_those_on_a_hill_are() {
+    let arch = |k: usize| {
+        Vec2::new(100.0, 0.0) + Vec2::new(120.0, 50.0) * Vec2::from_angle(PI + PI * k as f32 / 40.0)
+    };
+    let arch: Vec<Vec2> = (0..=40).map(arch).collect();
+    let at = |x: f32| 50.0 * (1.0 - ((x - 100.0) / 120.0).powi(2)).sqrt();
+    let hanging = |x: f32| vec![Vec2::new(x, 8.0 - at(x)), Vec2::new(x + 2.0, 110.0)];
+    let upright = |x: f32| vec![Vec2::new(x, -at(x)), Vec2::new(x + 6.0, -at(x) - 70.0)];
+    let places = [10.0, 35.0, 65.0, 100.0, 135.0, 165.0, 190.0];
+    let with = |lines: [Vec<Vec2>; 7]| read(&[std::slice::from_ref(&arch), &lines[..]].concat());
+    assert!(with(places.map(hanging)).is_empty());
+    assert_eq!(with(places.map(upright)).len(), 1);
+}

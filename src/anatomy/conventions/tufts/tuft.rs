@@ -76,7 +76,7 @@ fn tuft(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let about = |place: Vec2| (place, Crown::about(place, &runs));
     let crowns = places(&runs).into_iter().map(about).filter(|(place, crown)| is_tuft(*place, crown, &runs));
     let (place, crown) = crowns.max_by(|a, b| a.1.explained.total_cmp(&b.1.explained))?;
-    if crown.reach < SMALLEST * page.diagonal {
+    if crown.reach < SMALLEST * page.diagonal || grass::hang(page, group) {
         return None;
     }
     let (score, uses) = (1.8 + 0.3 * crown.fronds.len().min(12) as f32, group.to_vec());
