@@ -48,10 +48,13 @@ done
 python3 scripts/sheet.py 5 docs/images/photographs.png --size 264x300 "$photographs"/{petal,leaf,bark}-?-*.png
 rm -rf "$photographs"
 
-# Trees that grow by themselves, side by side.
+# Trees that grow by themselves, side by side; what climbs has a wall, which is not in the picture.
 grown=$(mktemp -d)
 for species in $("$program" grow --list | grep -vx rose); do
-    "$program" grow "$species" -o "$grown/$species.glb"
+    wall=
+    case $species in ivy | clematis) wall="--obstacle wall:3x2x0.2@0,0,-0.3" ;; esac
+    # shellcheck disable=SC2086
+    "$program" grow "$species" $wall -o "$grown/$species.glb"
     "$program" render "$grown/$species.glb" -o "$grown/$species.png" --size 300x300
 done
 python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
