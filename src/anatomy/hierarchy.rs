@@ -43,8 +43,8 @@ const MOST_TOUCHES: usize = 16;
 /// Height difference, as a share of length, below which a trunk lies level.
 const LEVEL_SHARE: f32 = 0.1;
 
-/// How near to a trunk's base its lower part in a stroke of its own ends, as a share of the trunk's length; least fall of that over its length, and least
-/// length, as a share of the trunk's.
+/// How near to a trunk's base its lower part in a stroke of its own ends, as a share of the trunk's length; least fall of that
+/// over its length, and least length, as a share of the trunk's.
 const LOWER_PART: (f32, f32, f32) = (0.08, 0.7, 0.15);
 
 /// A place where an end of one branch touches another branch.

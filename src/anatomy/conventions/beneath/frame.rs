@@ -2,8 +2,8 @@
 //!
 //! A window, a frame or a table is put together from straight lines, level and plumb, each of which meets two of the other kind. It
 //! is about as wide as high; what is narrow is a trunk with its bark. A fence is a row of upright lines of one height, evenly spaced, that
-//! rails cross in their middle. A jar is an outline around all else, in which a level line from side to side carries what stands on it; its neck and lid are
-//! above. None of them becomes a part of a plant, whatever they touch.
+//! rails cross in their middle. A jar is an outline around all else, in which a level line from side to side carries what
+//! stands on it; its neck and lid are above. None of them becomes a part of a plant, whatever they touch.
 //!
 //! Limits: frames in one stroke are outlines; a jar without earth is one as well; a fence whose pales have no rail is grass.
 
@@ -34,9 +34,9 @@ const PALE: (f32, usize, f32, f32) = (1.3, 4, 0.35, 2.2);
 const MIDDLE: f32 = 0.12;
 /// Least part of a rail's width that its pales stand along.
 const ALONG: f32 = 0.6;
-/// Of a jar: largest opening of its outline and least of its hull that it fills; how far from it its earth ends at most, as a share of its width; how high above
-/// the earth what grows there begins at most, as a share of the jar's height, and fewest such lines; the part of its height, from above,
-/// where lines outside are its neck.
+/// Of a jar: largest opening of its outline and least of its hull that it fills; how far from it its earth ends at most, as a
+/// share of its width; how high above the earth what grows there begins at most, as a share of the jar's height, and fewest
+/// such lines; the part of its height, from above, where lines outside are its neck.
 const JAR: (f32, f32) = (0.3, 0.8);
 const EARTH: (f32, f32, f32, usize) = (0.08, 0.06, 0.2, 2);
 const NECK: f32 = 0.12;
@@ -172,8 +172,11 @@ fn jar(page: &Page) -> Option<Vec<usize>> {
             && line.middle().y > low.y.midpoint(high.y)
     };
     let earth = inside.iter().find(|i| is_earth(&page.lines[**i])).map(|i| &page.lines[*i])?;
-    let stands = |i: &&usize| (page.lines[**i].bounds.1.y - earth.middle().y).abs() < EARTH.1 * size.y;
-    let is_jar = outside.iter().all(is_neck) && inside.iter().filter(stands).count() > EARTH.3;
+    let stands = |i: &&usize| {
+        let line = &page.lines[**i];
+        !std::ptr::eq(line, earth) && (line.bounds.1.y - earth.middle().y).abs() < EARTH.1 * size.y
+    };
+    let is_jar = outside.iter().all(is_neck) && inside.iter().filter(stands).count() >= EARTH.3;
     let mut uses = outside;
     uses.push(glass);
     uses.sort_unstable();

@@ -63,8 +63,8 @@ const FEET_OFF: (f32, f32) = (0.5, 0.12);
 /// drawn to its end.
 const OUTWARD: f32 = 0.8;
 const ASKEW: usize = 3;
-/// The same as the two before the last, and the widest angle, for so many loops, which may stand on one side of a head that is seen from the side; their
-/// feet lie at least that far apart, on the average from their middle.
+/// The same as the two before the last, and the widest angle, for so many loops, which may stand on one side of a head that is
+/// seen from the side; their feet lie at least that far apart, on the average from their middle.
 const SIDE: (usize, f32, f32, f32) = (5, 0.85, 0.6 * TAU, 0.4);
 /// Least angle that petals fill if they go all around.
 const ALL_AROUND: f32 = 0.85 * TAU;
@@ -121,8 +121,8 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     out.extend(found.into_iter().zip(is_flower).filter(|(_, is_flower)| *is_flower).map(|((_, it), _)| it));
 }
 
-/// Whether several of a corolla's petals may as well be the centre: each as large as that, with as many petals of which the centre is one. Grapes in
-/// a bunch are so, and grains of an ear.
+/// Whether several of a corolla's petals may as well be the centre: each as large as that, with as many petals of which the
+/// centre is one. Grapes in a bunch are so, and grains of an ear.
 fn is_among_its_like(page: &Page, (centre, own): &(usize, Hypothesis), all: &[(usize, Hypothesis)]) -> bool {
     let size = |line: usize| page.lines[line].size().max_element();
     let is_like = |(other, it): &&(usize, Hypothesis)| {

@@ -1,9 +1,9 @@
 //! A branched stem, or a small tree, of single lines with leaves: each leaf an outline of its own at the end of a line or along it.
 //!
 //! The lines of a group that touch are branches, nearly straight and open, or leaves, closed and convex. There are at
-//! least three branches, most of which begin at another one, and nearly every outline is rooted at one branch ([`Leaf`]). Outlines at ends of
-//! lines are leaves if they are pointed away from there, for heads of flowers are round; those along lines are leaves whatever
-//! their form. Several at one end are the petals of a flower.
+//! least three branches, most of which begin at another one, and nearly every outline is rooted at one branch ([`Leaf`]).
+//! Outlines at ends of lines are leaves if they are pointed away from there, for heads of flowers are round; those along lines
+//! are leaves whatever their form. Several at one end are the petals of a flower.
 //!
 //! If one line carries three others at its upper end or above its middle and is bare below, it is the trunk of a tree.
 //!
@@ -34,8 +34,8 @@ const JOINED: f32 = 0.7;
 const AT: f32 = 0.04;
 /// Distance of roots that are those of one flower, in sizes of a leaf, and fewest petals.
 const FLOWER: (f32, usize) = (0.5, 4);
-/// Widest angle at the tip of a leaf, radians, points of its outline, and how many of them to either side the angle is measured over: that of
-/// a circle is 2.2.
+/// Widest angle at the tip of a leaf, radians, points of its outline, and how many of them to either side the angle is measured
+/// over: that of a circle is 2.2.
 const POINTED: (f32, usize, usize) = (2.0, 40, 6);
 /// Least share of the leaves at ends that are pointed.
 const MOSTLY: f32 = 0.65;

@@ -54,17 +54,32 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
         (low - margin, high + margin)
     };
     let near = page.lines_at(&boxes.iter().map(grown).collect::<Vec<_>>());
-    out.extend(twigs.iter().zip(near).filter_map(|(twig, near)| of_line(page, *twig, &near)));
+    let wholes = wholes(page);
+    out.extend(
+        twigs.iter().zip(near).filter_map(|(twig, near)| of_line(page, (*twig, wholes[*twig]), &near)),
+    );
 }
 
-fn of_line(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
+/// For every line the length of all that touch it, directly or through others.
+fn wholes(page: &Page) -> Vec<f32> {
+    let mut wholes = vec![page.length; page.lines.len()];
+    for group in &page.groups {
+        let length = length(page, group);
+        group.iter().for_each(|line| wholes[*line] = length);
+    }
+    wholes
+}
+
+fn length(page: &Page, lines: &[usize]) -> f32 {
+    lines.iter().map(|line| page.lines[*line].length).sum()
+}
+
+/// The twig that a line is, of lines that are so long together.
+fn of_line(page: &Page, (number, whole): (usize, f32), near: &[usize]) -> Option<Hypothesis> {
     if !(LEAVES.0..=LEAVES.1).contains(&near.len()) {
         return None;
     }
-    let length = |lines: &[usize]| lines.iter().map(|line| page.lines[*line].length).sum::<f32>();
-    let whole = page.groups.iter().find(|group| group.binary_search(&number).is_ok());
-    let whole = whole.map_or(page.length, |group| length(group));
-    let explain = |lines: &[usize]| length(lines) >= EXPLAINED * whole;
+    let explain = |lines: &[usize]| length(page, lines) >= EXPLAINED * whole;
     let twig = &page.lines[number];
     let mut way = twig.points.clone();
     if way[0].y < way[way.len() - 1].y {

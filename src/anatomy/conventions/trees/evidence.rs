@@ -34,8 +34,8 @@ pub(crate) fn has_blades(lines: &[&Line], whole: Vec2) -> bool {
     lines.iter().filter(is_blade).count() >= BLADES.0
 }
 
-/// Fewest lines of a fan in a crown, how far from the crown's lower end they begin, as a share of its diagonal, how straight and, as a share of its
-/// height, how long they are, and how far apart they begin, as a share of how far apart they end.
+/// Fewest lines of a fan in a crown, how far from the crown's lower end they begin, as a share of its diagonal, how straight
+/// and, as a share of its height, how long they are, and how far apart they begin, as a share of how far apart they end.
 const FAN: (usize, f32, f32, f32) = (4, 0.12, 0.5, 0.35);
 
 /// Whether many straight lines spread in a crown from its lower end at `x`: the veins of a ginkgo's leaf.
@@ -63,8 +63,8 @@ pub(crate) fn has_fan(lines: &[&Line], crown: &[Vec2], x: f32) -> bool {
     veins.len() >= FAN.0 && spread(|vein| vein.0) < FAN.3 * spread(|vein| vein.1)
 }
 
-/// Fewest and most balls of foliage that are a crown together, how far apart their middles are at most, in the sum of their half sizes, and least
-/// size of one, as a share of another's: petals around a centre are more, and that is smaller.
+/// Fewest and most balls of foliage that are a crown together, how far apart their middles are at most, in the sum of their
+/// half sizes, and least size of one, as a share of another's: petals around a centre are more, and that is smaller.
 const BALLS: (usize, usize, f32, f32) = (2, 4, 1.05, 0.5);
 
 /// The lines without a few balls that touch or overlap each other: a crown drawn ball by ball.

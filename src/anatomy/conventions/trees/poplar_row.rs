@@ -1,6 +1,7 @@
 //! Poplars in a row: slender upright outlines, each on a short line of its own, side by side on one level.
 //!
-//! One such outline is a leaf on its stalk. Three or more that are alike, upright, with their feet at one height, are trees: crowns on trunks.
+//! One such outline is a leaf on its stalk. Three or more that are alike, upright, with their feet at one height, are trees:
+//! crowns on trunks.
 //!
 //! Limits: crowns whose lines are not closed; rows on a steep slope.
 
@@ -12,8 +13,8 @@ use glam::Vec2;
 /// Least and most height of a crown over its width, and least share of its hull that it fills.
 const SLENDER: (f32, f32) = (1.9, 9.0);
 const SOLID: f32 = 0.88;
-/// Length of a trunk in heights of its crown, least and most; most run of it over its rise, and how far from the middle of the crown and from its
-/// lower end it begins, as shares of the crown's width and height.
+/// Length of a trunk in heights of its crown, least and most; most run of it over its rise, and how far from the middle of the
+/// crown and from its lower end it begins, as shares of the crown's width and height.
 const TRUNK: (f32, f32) = (0.06, 0.5);
 const UPRIGHT: f32 = 0.3;
 const AT: (f32, f32) = (0.3, 0.08);

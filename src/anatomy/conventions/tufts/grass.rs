@@ -44,10 +44,11 @@ const LEANING: (f32, f32) = (0.75, 0.25);
 const LEVEL: f32 = 0.4;
 const STEEP: f32 = 0.2;
 const LONG_ROW: f32 = 4.0;
-/// How far the lowest one or two lines begin below all others, as a share of the height of all, where these are at least so many: a trunk's.
+/// How far the lowest one or two lines begin below all others, as a share of the height of all, where these are at least so
+/// many: a trunk's.
 const TRUNK: (f32, usize) = (0.2, 4);
-/// Least width of an arch over lines that hang from it, as a share of theirs, how far below it they begin at most, as a share of its width, and how many do
-/// at least.
+/// Least width of an arch over lines that hang from it, as a share of theirs, how far below it they begin at most, as a share
+/// of its width, and how many do at least.
 const ARCH_OVER: (f32, f32, f32) = (0.8, 0.16, 0.6);
 /// Height from which a line is no blade beside others, in heights of the one in the middle of all.
 const GIANT: f32 = 3.5;
