@@ -59,8 +59,8 @@ readings! {
     Ground = "ground", "is read as the ground and is no part of the plant";
     /// The sun.
     Sun = "sun", "is read as the sun and is no part of the plant";
-    /// A window, a frame or a fence.
-    Frame = "frame", "is read as a window, a frame or a fence and is no part of the plant";
+    /// A window, a frame, a fence or a jar.
+    Frame = "frame", "is read as a window, a frame, a fence or a jar and is no part of the plant";
     /// What hangs in the air beside plants.
     Sky = "sky", "hangs in the air and is no part of the plant";
     /// Letters.
