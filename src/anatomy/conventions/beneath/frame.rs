@@ -10,7 +10,6 @@
 use crate::anatomy::conventions::Hypothesis;
 use crate::anatomy::conventions::page::{Line, Page, median};
 use crate::geom::polyline;
-use crate::geom::region::Region;
 use crate::sketch::Reading;
 use glam::Vec2;
 
@@ -157,27 +156,30 @@ fn jar(page: &Page) -> Option<Vec<usize>> {
     }
     let (low, high) = outline.bounds;
     let size = high - low;
-    let region = Region::new(outline.hull.clone());
-    let is_inside = |i: &usize| {
-        let points = &page.lines[*i].points;
-        points.iter().filter(|p| region.contains(**p)).count() * 10 >= points.len() * 9
-    };
-    let (inside, outside): (Vec<usize>, Vec<usize>) = lines().filter(|i| *i != glass).partition(is_inside);
-    let is_neck = |i: &usize| page.lines[*i].bounds.1.y < low.y + NECK * size.y;
     let gap = |p: Vec2| polyline::nearest(&outline.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
-    let is_earth = |line: &Line| {
-        let ends = line.ends();
-        line.size().y < EARTH.2 * line.size().x
-            && gap(ends.0).max(gap(ends.1)) < EARTH.0 * size.x
+    let is_earth = |i: &usize| {
+        let line = &page.lines[*i];
+        let (ends, own) = (line.ends(), line.size());
+        *i != glass
+            && own.y < EARTH.2 * own.x
             && line.middle().y > low.y.midpoint(high.y)
+            && gap(ends.0).max(gap(ends.1)) < EARTH.0 * size.x
     };
-    let earth = inside.iter().find(|i| is_earth(&page.lines[**i])).map(|i| &page.lines[*i])?;
+    // Most outlines have none, and what is in them need not be looked at.
+    let earth = lines().find(is_earth)?;
+    let inside = page.with_what_is_inside(&[], &outline.hull);
+    let is_other = |i: &usize| *i != glass && inside.binary_search(i).is_err();
+    let neck: Vec<usize> = lines().filter(is_other).collect();
+    let is_neck = |i: &usize| page.lines[*i].bounds.1.y < low.y + NECK * size.y;
+    let level = page.lines[earth].middle().y;
     let stands = |i: &&usize| {
-        let line = &page.lines[**i];
-        !std::ptr::eq(line, earth) && (line.bounds.1.y - earth.middle().y).abs() < EARTH.1 * size.y
+        let foot = page.lines[**i].bounds.1.y;
+        **i != glass && **i != earth && (foot - level).abs() < EARTH.1 * size.y
     };
-    let is_jar = outside.iter().all(is_neck) && inside.iter().filter(stands).count() >= EARTH.3;
-    let mut uses = outside;
+    let is_jar = inside.binary_search(&earth).is_ok()
+        && neck.iter().all(is_neck)
+        && inside.iter().filter(stands).count() >= EARTH.3;
+    let mut uses = neck;
     uses.push(glass);
     uses.sort_unstable();
     is_jar.then_some(uses)

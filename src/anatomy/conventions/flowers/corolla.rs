@@ -121,18 +121,19 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     out.extend(found.into_iter().zip(is_flower).filter(|(_, is_flower)| *is_flower).map(|((_, it), _)| it));
 }
 
-/// Whether several of a corolla's petals may as well be the centre: each as large as that, with as many petals of which the
-/// centre is one. Grapes in a bunch are so, and grains of an ear.
+/// Whether several of a corolla's petals may as well be the centre of another of these, which stand in the order of their
+/// centres: each as large as that, with as many petals of which the centre is one. Grapes in a bunch are so, and grains of
+/// an ear.
 fn is_among_its_like(page: &Page, (centre, own): &(usize, Hypothesis), all: &[(usize, Hypothesis)]) -> bool {
     let size = |line: usize| page.lines[line].size().max_element();
+    let around = |line: &usize| all.binary_search_by_key(line, |it| it.0).ok().map(|place| &all[place]);
     let is_like = |(other, it): &&(usize, Hypothesis)| {
         other != centre
             && it.uses.binary_search(centre).is_ok()
-            && own.uses.binary_search(other).is_ok()
             && it.parts.len() + 1 >= own.parts.len().max(LIKE.1)
             && (LIKE.2..1.0 / LIKE.2).contains(&(size(*other) / size(*centre)))
     };
-    all.iter().filter(is_like).count() >= LIKE.0
+    own.uses.iter().filter_map(around).filter(is_like).count() >= LIKE.0
 }
 
 /// Whether a line may be a flower's centre: a disc, a spiral or a scribble about as wide as high.

@@ -9,8 +9,8 @@
 //!
 //! Limits: leaves with stalks of their own longer than a tenth of them; flowers on the same branches.
 
-use super::leafy_stem::{END, Leaf};
-use crate::anatomy::conventions::page::{Line, Page, even};
+use super::leafy_stem::{END, Leaf, length};
+use crate::anatomy::conventions::page::{self, Line, Page, even};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
 use crate::sketch::{Reading, Tool};
@@ -53,8 +53,7 @@ fn branched(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     if group.len() > MOST || group.len() < FEWEST.0 + FEWEST.1 {
         return None;
     }
-    let (low, high) =
-        polyline::bounds(group.iter().flat_map(|i| [page.lines[*i].bounds.0, page.lines[*i].bounds.1]));
+    let (low, high) = page::bounds(group.iter().map(|i| &page.lines[*i]));
     let size = high - low;
     let is_leaf = |i: &usize| is_outline(&page.lines[*i], LARGE * size.length());
     let (outlines, lines): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| is_leaf(i));
@@ -77,8 +76,7 @@ fn branched(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let mut uses: Vec<usize> = branches.iter().map(|branch| branch.number).collect();
     uses.extend(leaves.iter().map(|(leaf, _)| leaf.line));
     uses.sort_unstable();
-    let length = |of: &[usize]| of.iter().map(|i| page.lines[*i].length).sum::<f32>();
-    if length(&uses) < EXPLAINED * length(group) {
+    if length(page, &uses) < EXPLAINED * length(page, group) {
         return None;
     }
     let is_leafy = |place: usize| leaves.iter().any(|(_, branch)| *branch == place);

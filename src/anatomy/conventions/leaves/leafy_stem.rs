@@ -70,7 +70,8 @@ fn wholes(page: &Page) -> Vec<f32> {
     wholes
 }
 
-fn length(page: &Page, lines: &[usize]) -> f32 {
+/// Length of some lines together.
+pub(super) fn length(page: &Page, lines: &[usize]) -> f32 {
     lines.iter().map(|line| page.lines[*line].length).sum()
 }
 
