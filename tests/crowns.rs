@@ -189,6 +189,29 @@ fn silhouette(plant: &Plant, low: Vec2, cell: f32) -> Vec<bool> {
 }
 
 #[test]
+fn a_flower_in_a_crown_is_at_its_front_and_one_on_a_stem_of_its_own_stays_on_that() {
+    let mut sketch = drawing("oak", &[circle(Vec2::ZERO, 2.6)], true);
+    // The crown's middle is (500, 430), its radius 350 pixels.
+    let centre = Vec2::new(560.0, 330.0);
+    for k in 0..5_u64 {
+        let along = 30.0 * Vec2::from_angle(k as f32 * TAU / 5.0 + 0.3);
+        let petal = ring(40, |t| centre + (1.1 - t.cos()) * along + 0.45 * t.sin() * along.perp());
+        sketch.strokes.push(stroke(10 + k, Tool::Petal, petal));
+    }
+    // Pixels in front of the drawing.
+    let depth = |sketch: &Sketch| {
+        let built = build(sketch, &[]);
+        built.plant.flowers[0].cone.apex.z / built.provenance.world_from_canvas.scale
+    };
+    let front = depth(&sketch);
+    assert!((320.0..400.0).contains(&front), "{front}");
+    let stem = (0..=20).map(|k| Vec2::new(500.0, 850.0).lerp(centre, k as f32 / 20.0)).collect();
+    sketch.strokes.push(stroke(30, Tool::Branch, stem));
+    let on_stem = depth(&sketch);
+    assert!(on_stem.abs() < 0.5 * front, "{on_stem}");
+}
+
+#[test]
 fn the_front_of_a_plant_is_the_crown_that_was_drawn() {
     for (name, outlines, least) in outlines() {
         let built = build(&drawing("box", &outlines, true), &[]);

@@ -3,9 +3,9 @@
 //! A fruit on a stalk hangs in the depth of its end. A fruit in a crown hangs at the front of that, as deep as the crown is
 //! wide around that place: nobody draws those behind. Limits: fruits hang upright.
 
+use super::crowns;
 use crate::anatomy::Anatomy;
 use crate::anatomy::conventions::{Solid, SolidKind};
-use crate::geom::{polyline, region::Region};
 use crate::plant::{Organ, OrganPart, Plant, Provenance, Role, Shape, WorldFromCanvas};
 use glam::{Vec2, Vec3};
 
@@ -18,8 +18,9 @@ pub(super) fn add(plant: &mut Plant, provenance: &mut Provenance, anatomy: &Anat
     let fruits = anatomy.solids.iter().filter(|drawn| drawn.solid.kind == SolidKind::Fruit);
     for drawn in fruits {
         let Some((top, shape)) = fruit(&drawn.solid, &world) else { continue };
-        let depth = in_crown(&drawn.solid, anatomy)
-            .map_or_else(|| depth_of_stalk(plant, top), |depth| depth * world.scale);
+        let (low, high) = drawn.solid.bounds();
+        let front = crowns::front(anatomy, low.midpoint(high));
+        let depth = front.map_or_else(|| depth_of_stalk(plant, top), |depth| FRONT * depth * world.scale);
         let mut shape = shape;
         shape.translate(Vec3::Z * depth);
         let origin = provenance.record(Some(drawn.stroke));
@@ -50,20 +51,6 @@ fn depth_of_stalk(plant: &Plant, top: Vec3) -> f32 {
     let points = plant.branches.iter().flat_map(|branch| &branch.points);
     let aside = |p: &&Vec3| p.truncate().distance_squared(top.truncate());
     points.min_by(|a, b| aside(a).total_cmp(&aside(b))).map_or(0.0, |p| p.z)
-}
-
-/// How far in front of the drawing the surface of the crown is in which a fruit was drawn, canvas pixels: that of a round body
-/// of the crown's outline. None outside of crowns.
-fn in_crown(solid: &Solid, anatomy: &Anatomy) -> Option<f32> {
-    let (low, high) = solid.bounds();
-    let middle = low.midpoint(high);
-    let crown = anatomy.crowns.iter().find(|crown| Region::new(crown.outline.clone()).contains(middle))?;
-    let mut ring = crown.outline.clone();
-    ring.extend(crown.outline.first());
-    let (low, high) = polyline::bounds(ring.iter().copied());
-    let radius = 0.5 * (high - low).min_element();
-    let edge = polyline::nearest(&ring, middle).map_or(0.0, |(gap, _)| gap).min(radius);
-    Some(FRONT * (radius * radius - (radius - edge).powi(2)).max(0.0).sqrt())
 }
 
 #[cfg(test)]

@@ -176,6 +176,9 @@ fn world_from_canvas(anatomy: &Anatomy, params: &WorldParams) -> WorldFromCanvas
     WorldFromCanvas { scale: params.height / extent.max(f32::MIN_POSITIVE), origin }
 }
 
+/// How far in front of the drawing flowers in a crown are, in depths of the crown: its leaves stand out from it.
+const BEFORE_LEAVES: f32 = 1.08;
+
 /// How far drawn leaves may reach below the lowest root of what stands on the ground, as a share of the drawing's height.
 const DROOP: f32 = 0.15;
 
@@ -213,7 +216,8 @@ impl Skeleton {
         Self { branches: anatomy.branches.clone(), arcs, depths }
     }
 
-    /// Leads every stem that ends in a flower to it; gives the depth of each flower's centre.
+    /// Leads every stem that ends in a flower to it; gives the depth of each flower's centre. One in a crown without a stem of its own is
+    /// at the front of that: nobody draws those behind.
     fn lead_stems(&mut self, anatomy: &Anatomy, poses: &[Arc<FlowerPose>], params: &StemParams) -> Vec<f32> {
         let mut last_child = vec![0.0f32; self.branches.len()];
         let leaves = anatomy.leaves.iter().filter_map(|leaf| leaf.attachment);
@@ -226,6 +230,15 @@ impl Skeleton {
         }
         let mut led = vec![false; self.branches.len()];
         let lead = |(flower, pose): (&FlatFlower, &Arc<FlowerPose>)| {
+            let has_stem = flower.attachment.is_some_and(|place| {
+                let end = self.branches[place.branch].line.last();
+                let ends_in_it =
+                    end.is_some_and(|end| end.position.distance(flower.center) < pose.reach_px());
+                ends_in_it && self.is_end(place)
+            });
+            if !has_stem && let Some(front) = crowns::front(anatomy, flower.center) {
+                return BEFORE_LEAVES * front;
+            }
             let Some(place) = flower.attachment else { return 0.0 };
             let i = place.branch;
             if !self.is_end(place) || led[i] {

@@ -8,13 +8,13 @@
 
 use super::build::size_of;
 use super::card;
+use super::fineness::{Finenesses, SolidParams};
 use super::flat::{self, BladeMeshParams, FlatScratch};
 use super::params::ModelParams;
-use super::solids::{self, Finenesses, SolidParams};
 use super::spike;
 use super::spine::{self, SpineScratch};
 use super::tube::{self, TubeParams};
-use crate::plant::{Branch, Detail, Plant, Shape, Template};
+use crate::plant::{Branch, Detail, Organ, Plant, Shape, Template};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
@@ -190,24 +190,24 @@ fn of_organs(plant: &Plant, params: &ModelParams) -> u64 {
     let counted = counted_templates(plant, &params.blade);
     let solid = &params.solid;
     let finenesses = Finenesses::of(plant);
-    let sides = |radius: f32| u64::from(finenesses.at(radius).sides(solid));
-    let rows = |radius: f32| u64::from(finenesses.at(radius).dome_rows(solid));
-    let of_head = finenesses.at(0.0).head(solid).map(u64::from);
-    let of_organ = |shape: &Shape| match shape {
+    let sides = |organ: &Organ| u64::from(finenesses.at(organ).sides(solid));
+    let rows = |organ: &Organ| u64::from(finenesses.at(organ).dome_rows(solid));
+    let of_organ = |organ: &Organ| match &organ.shape {
         Shape::Blade(blade) => {
             let counted = counted[blade.template.index()];
             counted.unwrap_or_else(|| blade_at_most(&plant.templates[blade.template], &params.blade))
         }
-        Shape::Dome { radius, .. } => 2 * sides(*radius) * (rows(*radius) + 1),
+        Shape::Dome { .. } => 2 * sides(organ) * (rows(organ) + 1),
         Shape::Card { .. } => card::TRIANGLES,
         Shape::Spike { .. } => spike::TRIANGLES,
-        Shape::Lathe { profile, .. } => 2 * sides(solids::widest(profile)) * profile.len() as u64,
+        Shape::Lathe { profile, .. } => 2 * sides(organ) * profile.len() as u64,
         Shape::Filament { points, head, .. } => {
-            let head = if head.x > 0.0 { of_head[0] * of_head[1] } else { 0 };
+            let [around, along] = finenesses.at(organ).head(solid).map(u64::from);
+            let head = if head.x > 0.0 { around * along } else { 0 };
             2 * (u64::from(solid.filament_sides) * (points.len() as u64 + 1) + head)
         }
     };
-    plant.organs.par_iter().with_min_len(1024).map(|organ| of_organ(&organ.shape)).sum()
+    plant.organs.par_iter().with_min_len(1024).map(of_organ).sum()
 }
 
 /// The triangles of a blade of each template of reduced detail, where those are few.

@@ -3,8 +3,9 @@
 //! A flower has dozens of them, so that they are never parts of their own: at least those of one flower are gathered, the
 //! stalks (`stamens_3`) apart from their heads (`anthers_3`), which are copies of few `shapes`.
 
+use super::fineness::{Fineness, SolidParams};
 use super::mesh::Mesh;
-use super::solids::SolidParams;
+
 use super::spine;
 use super::tube::{self, Tiling, TubeLook, TubeScratch};
 use crate::plant::Shape;
@@ -18,19 +19,20 @@ const GAP: f32 = 0.1;
 /// Share of its last piece by which a stalk is shortened for its head at most.
 const MOST_BACK: f32 = 0.9;
 
-/// Appends the stalks of filaments to a mesh; shapes that are no filaments add nothing.
+/// Appends the stalks of filaments to a mesh, those of very many straight from end to end; shapes that are no filaments add nothing.
 pub(super) fn append<'a>(
     mesh: &mut Mesh,
-    shapes: impl Iterator<Item = &'a Shape>,
+    shapes: impl Iterator<Item = (&'a Shape, Fineness)>,
     params: &SolidParams,
     scratch: &mut TubeScratch,
 ) {
     let first = mesh.triangles.len();
     let detail = spine::Detail { of_radius: TOLERANCE, metres: (0.0, f32::INFINITY) };
     let look = TubeLook { sides: params.filament_sides.max(3), tiling: Tiling::Whole, tip: TIP, detail };
-    for shape in shapes {
+    for (shape, fineness) in shapes {
         let Shape::Filament { points, radius, head } = shape else { continue };
         let [stalk @ .., end] = points.as_slice() else { continue };
+        let stalk = if fineness == Fineness::Quarter { &stalk[..stalk.len().min(1)] } else { stalk };
         let end = below_head(stalk, *end, *radius, *head);
         tube::append(mesh, stalk.iter().chain([&end]).map(|p| (*p, *radius)), look, scratch);
     }

@@ -217,9 +217,11 @@ fn prepare_margin(
         Detail::Moderate => (params.petal_tolerance, params.petal_outline_points as usize, None),
         Detail::Full => (params.outline_tolerance, usize::MAX, waves),
     };
+    // A spray of needles is widest at a quarter of its length: from there to its tip it is one edge.
+    let longest_edge = if template.detail() == Detail::Reduced { 1.6 } else { 1.5 };
     // A wave needs a few points; the outline of a blade is about two and a half times as long as the blade.
     let wave = waves.map_or(f32::INFINITY, |waves| 0.6 / waves.max(1.0));
-    let longest_edge = (1.5 / (rows + 1) as f32).min(wave).max(0.01);
+    let longest_edge = (longest_edge / (rows + 1) as f32).min(wave).max(0.01);
     let outline = (template.outline(), template.curl());
     let precision = Precision { tolerance, longest_edge, most_points };
     outline::prepare(outline, size_of(template), precision, &mut scratch.outline, &mut scratch.margin);

@@ -20,6 +20,7 @@
 //! | `limbs`, `rows`, `joint`, `bend`, `window`, `strip`, `wood`, `sealing` | branches that grow out of one another |
 //! | `surface`, `wood_changes`, `wood_memory` | their surface made anew only near what changed |
 //! | `solids`, `filaments` | receptacles, fruits, pots |
+//! | `fineness` | how finely these are made, by their size and number |
 //! | `organs` | all organs of one part |
 //! | `build` | all parts at once, on all cores |
 //! | `afford` | how fine a plant can be |
@@ -40,6 +41,7 @@ pub mod copies;
 pub mod crossing;
 mod disjoint_sets;
 mod filaments;
+mod fineness;
 mod flat;
 pub mod instances;
 mod interior;
@@ -86,6 +88,7 @@ pub use blade_uv::BladeUv;
 pub use build::{build, rebuild};
 pub use cache::Cache;
 pub use copies::{Copies, Placement};
+pub use fineness::SolidParams;
 pub use flat::{BladeMeshParams, triangulation_input};
 pub use instances::{InstanceGroup, InstancedModel, Pose};
 pub use levels::{Levels, NOTHING, screen_shares, shown_at};
@@ -94,7 +97,6 @@ pub use mesh::{Mesh, Vertex};
 pub use params::{ModelParams, TriangleParams};
 pub use planar_graph::{PlanarGraph, TriangulationScratch};
 pub use recipe::PlantRecipe;
-pub use solids::SolidParams;
 pub use tube::TubeParams;
 
 use crate::plant::{Material, OrganKind};

@@ -9,6 +9,7 @@ use super::cache::{Cache, FlatTemplate};
 use super::card;
 use super::copies::{Copies, Placement};
 use super::filaments;
+use super::fineness::Finenesses;
 use super::flat::{self, FlatScratch};
 use super::mesh::Mesh;
 use super::params::ModelParams;
@@ -42,6 +43,7 @@ pub(super) struct OrganScratch {
 pub(super) struct OrganWorkshop<'a> {
     plant: &'a Plant,
     params: &'a ModelParams,
+    finenesses: Finenesses,
     /// For each template whose blades share one its triangulation.
     templates: Vec<Option<FlatTemplate>>,
     /// For each organ the number of its shape, for a filament of that of its head.
@@ -53,9 +55,10 @@ pub(super) struct OrganWorkshop<'a> {
 impl<'a> OrganWorkshop<'a> {
     pub(super) fn new(plant: &'a Plant, params: &'a ModelParams, cache: &mut Cache) -> Self {
         let templates = templates(plant, params, cache);
-        let ShapesInCommon { of_organ: shape_of, originals } = ShapesInCommon::of(plant);
+        let finenesses = Finenesses::of(plant);
+        let ShapesInCommon { of_organ: shape_of, originals } = ShapesInCommon::of(plant, &finenesses);
         let shapes = shapes(&originals, &templates, params, cache);
-        Self { plant, params, templates, shape_of, shapes }
+        Self { plant, params, finenesses, templates, shape_of, shapes }
     }
 
     /// Everything that [`Self::mesh`] reads but the parameters.
@@ -72,7 +75,7 @@ impl<'a> OrganWorkshop<'a> {
                     };
                     RecipeShape::Blade(blade, name)
                 }
-                solid => RecipeShape::Solid(solid),
+                solid => RecipeShape::Solid(solid, self.finenesses.at(&self.plant.organs[organ])),
             };
             (shape, piece)
         };
@@ -91,7 +94,11 @@ impl<'a> OrganWorkshop<'a> {
             }
             for run in pieces.as_ref().chunk_by(|a, b| self.is_stalk(*a) == self.is_stalk(*b)) {
                 if self.is_stalk(run[0]) {
-                    let stalks = run.iter().map(|&(organ, _)| self.shape(organ));
+                    let stalk = |&(organ, _): &(usize, Piece)| {
+                        let organ = &self.plant.organs[organ];
+                        (&organ.shape, self.finenesses.at(organ))
+                    };
+                    let stalks = run.iter().map(stalk);
                     filaments::append(&mut mesh, stalks, &self.params.solid, &mut scratch.tube);
                 } else {
                     self.append_bodies(run, &mut mesh, scratch);

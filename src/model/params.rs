@@ -1,7 +1,7 @@
 //! How finely a plant is modelled: the parameters of all stages together.
 
+use super::fineness::SolidParams;
 use super::flat::BladeMeshParams;
-use super::solids::SolidParams;
 use super::tube::TubeParams;
 
 crate::parameters! {

@@ -113,7 +113,8 @@ impl Search<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::solids::{Fineness, Proportion};
+    use super::super::fineness::Fineness;
+    use super::super::solids::Proportion;
     use super::*;
 
     /// Looks for parts that are told apart by numbers; gives them and the numbers of those that were made.

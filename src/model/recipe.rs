@@ -7,9 +7,10 @@
 //! other by its address, for stages before keep what they made, too. Whoever keeps a recipe holds these templates, so that
 //! nothing else comes to lie there.
 
+use super::fineness::Fineness;
 use super::limbs::WoodBranch;
 use super::piece::Piece;
-use super::solids::{Fineness, Proportion, Proportions};
+use super::solids::{Proportion, Proportions};
 use crate::plant::{
     Blade, Branch, Cone, Detail, FinishedPlant, Organ, ResolvedBlade, RestSurface, Role, Shape, Template,
 };
@@ -30,8 +31,8 @@ pub(super) enum TemplateName<'a> {
 pub(super) enum RecipeShape<'a> {
     /// A blade with its template.
     Blade(&'a Blade, TemplateName<'a>),
-    /// Any other shape.
-    Solid(&'a Shape),
+    /// Any other shape, and how finely it is made.
+    Solid(&'a Shape, Fineness),
 }
 
 /// A row of words, used again for every part.
@@ -129,7 +130,7 @@ impl<'a> Recipe<'a> {
                 self.length(slot).word(u32::from(piece == Piece::Head));
                 match shape {
                     RecipeShape::Blade(blade, template) => self.blade(blade, template),
-                    RecipeShape::Solid(solid) => self.solid(solid),
+                    RecipeShape::Solid(solid, fineness) => self.word(fineness as u32).solid(solid),
                 };
             }
         }

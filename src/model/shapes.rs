@@ -7,9 +7,10 @@
 //! thicker.
 
 use super::copies::Placement;
+use super::fineness::{self, Fineness, Finenesses};
 use super::flat::FlatBlade;
 use super::mesh::Mesh;
-use super::solids::{self, Fineness, Finenesses, Proportion, Proportions, Stand};
+use super::solids::{Proportion, Proportions, Stand};
 use crate::plant::{Blade, Organ, Plant, ResolvedBlade, RestSurface, Shape, TemplateId};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -80,7 +81,7 @@ impl CopyShape {
             Shape::Dome { base, axis, radius, .. } => Stand { base: *base, axis: *axis }.placement(*radius),
             Shape::Filament { points, head, .. } => Stand::of_head(points)?.placement(head.x),
             Shape::Lathe { base, axis, profile } => {
-                Stand { base: *base, axis: *axis }.placement(solids::widest(profile))
+                Stand { base: *base, axis: *axis }.placement(fineness::widest(profile))
             }
             Shape::Spike { .. } => return None,
         };
@@ -107,11 +108,11 @@ pub(super) struct ShapesInCommon<'a> {
 }
 
 impl<'a> ShapesInCommon<'a> {
-    pub(super) fn of(plant: &'a Plant) -> Self {
+    pub(super) fn of(plant: &'a Plant, finenesses: &Finenesses) -> Self {
         let mut known: BTreeMap<Key, u32> = BTreeMap::new();
-        let (mut originals, finenesses) = (Vec::new(), Finenesses::of(plant));
+        let mut originals = Vec::new();
         let number = |organ: &'a Organ| {
-            let (key, original) = key(plant, &organ.shape, finenesses)?;
+            let (key, original) = key(plant, organ, finenesses)?;
             Some(*known.entry(key).or_insert_with(|| {
                 originals.push(original);
                 originals.len() as u32 - 1
@@ -128,8 +129,8 @@ pub(super) fn upright<'a>(blade: &ResolvedBlade<'a>) -> ResolvedBlade<'a> {
 }
 
 /// What an organ has in common with others of its shape, and what the shape is made from; `None` for one that is no copy.
-fn key<'a>(plant: &'a Plant, shape: &Shape, finenesses: Finenesses) -> Option<(Key, Original<'a>)> {
-    match shape {
+fn key<'a>(plant: &'a Plant, organ: &Organ, finenesses: &Finenesses) -> Option<(Key, Original<'a>)> {
+    match &organ.shape {
         Shape::Blade(blade) => {
             let resolved = plant.templates.resolve(blade);
             let is_copy = resolved.template.detail().is_shared() && !is_on_cone(&blade.rest);
@@ -144,12 +145,12 @@ fn key<'a>(plant: &'a Plant, shape: &Shape, finenesses: Finenesses) -> Option<(K
         }
         Shape::Dome { radius, height, .. } => {
             let proportion = Proportion::of(*radius, *height)?;
-            let fineness = finenesses.at(*radius);
+            let fineness = finenesses.at(organ);
             Some((Key::Dome(proportion, fineness), Original::Dome(proportion, fineness)))
         }
         Shape::Filament { head, .. } => {
             let proportion = Proportion::of(head.x, head.y)?;
-            let fineness = finenesses.at(0.0);
+            let fineness = finenesses.at(organ);
             Some((Key::Head(proportion, fineness), Original::Head(proportion, fineness)))
         }
         Shape::Card { window: window @ [low, high], is_whole, .. } => {
@@ -157,8 +158,7 @@ fn key<'a>(plant: &'a Plant, shape: &Shape, finenesses: Finenesses) -> Option<(K
             Some((Key::Card(key, *is_whole), Original::Card(*window, *is_whole)))
         }
         Shape::Lathe { profile, .. } => {
-            let (proportions, widest) = (Proportions::of(profile)?, solids::widest(profile));
-            let fineness = finenesses.at(widest);
+            let (proportions, fineness) = (Proportions::of(profile)?, finenesses.at(organ));
             Some((Key::Lathe(proportions.clone(), fineness), Original::Lathe(proportions, fineness)))
         }
         Shape::Spike { .. } => None,

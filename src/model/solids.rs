@@ -7,34 +7,12 @@
 //! a daisy's disc fits.
 
 use super::copies::Placement;
+use super::fineness::{Fineness, SolidParams, widest};
 use super::mesh::{Mesh, Vertex};
 use crate::geom::{frame, polyline};
-use crate::plant::{Organ, Plant, Shape};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
-crate::parameters! {
-    /// How finely receptacles, fruits and pots are modelled.
-    pub struct SolidParams {
-        /// Sides of domes, fruits and pots; large ones have 8 at least.
-        sides: u32 = 14, 3..=128, "";
-        /// Rows of a dome between edge and top.
-        dome_rows: u32 = 4, 1..=64, "";
-        /// Sides of filaments.
-        filament_sides: u32 = 3, 3..=16, "";
-        /// Sides of anthers and stigmas.
-        head_sides: u32 = 5, 3..=32, "";
-        /// Rows of anthers and stigmas from pole to pole.
-        head_rows: u32 = 3, 2..=32, "";
-    }
-}
-
-/// Bodies of this radius and more, metres, have at least so many sides: with fewer the disc of a sunflower is seen as a polygon, while a
-/// coarse plant may have hundreds of florets whose receptacles need none.
-const LARGE: (f32, u32) = (12e-3, 8);
-/// Of more bodies and heads than these smaller ones have half as many sides and rows: a tree in blossom has a receptacle and anthers
-/// for each of its thousands of flowers, of which none is seen by itself.
-const MANY: usize = 1000;
 /// Profiles that turn by more than the angle of this cosine have a crease.
 const CREASE: f32 = 0.75;
 
@@ -69,71 +47,6 @@ impl Stand {
         let across = frame::hidden_side(self.axis).cross(self.axis);
         Placement { shape: 0, slot: 0, base: self.base, u: across * radius, v: self.axis * radius }
     }
-}
-
-/// How finely a body is made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Fineness {
-    /// Small, and one of many.
-    Half,
-    /// As the parameters say.
-    Whole,
-    /// Large: with more sides at least.
-    Large,
-}
-
-impl Fineness {
-    /// How many sides, rows, or other parts there are, of so many usual ones.
-    fn of(self, usual: u32, fewest: u32) -> u32 {
-        if self == Self::Half { usual.div_ceil(2).max(fewest).min(usual) } else { usual }
-    }
-
-    /// Sides of domes and lathed bodies.
-    pub(super) fn sides(self, params: &SolidParams) -> u32 {
-        if self == Self::Large { params.sides.max(LARGE.1) } else { self.of(params.sides, 5) }
-    }
-
-    /// Rows of domes.
-    pub(super) fn dome_rows(self, params: &SolidParams) -> u32 {
-        self.of(params.dome_rows, 2)
-    }
-
-    /// Sides and rows of heads.
-    pub(super) fn head(self, params: &SolidParams) -> [u32; 2] {
-        [self.of(params.head_sides, 3), self.of(params.head_rows, 2)]
-    }
-}
-
-/// How finely the bodies of a plant are made, by their radius.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Finenesses {
-    are_many: bool,
-}
-
-impl Finenesses {
-    pub(super) fn of(plant: &Plant) -> Self {
-        let is_small = |organ: &&Organ| match &organ.shape {
-            Shape::Dome { radius, .. } => *radius < LARGE.0,
-            Shape::Lathe { profile, .. } => widest(profile) < LARGE.0,
-            Shape::Filament { head, .. } => head.x > 0.0,
-            Shape::Blade(_) | Shape::Card { .. } | Shape::Spike { .. } => false,
-        };
-        Self { are_many: plant.organs.iter().filter(is_small).nth(MANY).is_some() }
-    }
-
-    /// That of a body of a radius, metres.
-    pub(super) fn at(self, radius: f32) -> Fineness {
-        match (radius >= LARGE.0, self.are_many) {
-            (true, _) => Fineness::Large,
-            (false, true) => Fineness::Half,
-            (false, false) => Fineness::Whole,
-        }
-    }
-}
-
-/// The largest radius of a profile.
-pub(super) fn widest(profile: &[Vec2]) -> f32 {
-    profile.iter().map(|point| point.x.abs()).fold(0.0, f32::max)
 }
 
 /// The height of a body in its radii: what bodies have in common that differ only in size.
@@ -197,7 +110,7 @@ pub(super) fn head(proportion: Proportion, fineness: Fineness, params: &SolidPar
 /// A lathed body of these proportions, its largest radius 1, upright at the origin. A profile holds (radius, height)
 /// along the outside and back along the inside.
 pub(super) fn lathe(proportions: &Proportions, fineness: Fineness, params: &SolidParams) -> Mesh {
-    revolved(&proportions.profile(), fineness.sides(params), Projection::Cylindrical)
+    revolved(&fineness.profile(proportions.profile()), fineness.sides(params), Projection::Cylindrical)
 }
 
 fn revolved(profile: &[Vec2], sides: u32, projection: Projection) -> Mesh {

@@ -290,6 +290,26 @@ proptest! {
 }
 
 #[test]
+fn a_fruit_that_was_kept_is_made_again_when_many_join_it() {
+    let profile =
+        [(0.0, 0.0), (0.02, 0.01), (0.03, 0.03), (0.02, 0.05), (0.0, 0.06)].map(Vec2::from).to_vec();
+    let fruit = |k: usize| Organ {
+        role: Role::of(OrganPart::Fruit),
+        origin: Provenance::default().record(Some(7)),
+        branch: None,
+        flower: None,
+        shape: Shape::Lathe { base: Vec3::X * k as f32, axis: Vec3::Y, profile: profile.clone() },
+    };
+    let fruits =
+        |count| FinishedPlant::plain(Plant { organs: (0..count).map(fruit).collect(), ..Plant::default() });
+    let (params, mut cache) = (ModelParams::default(), Cache::default());
+    for plant in [fruits(2), fruits(400), fruits(2)] {
+        let kept = rebuild(&plant, &params, &mut cache, &|| false);
+        assert_eq!(kept, Some(build(&plant, &params)));
+    }
+}
+
+#[test]
 fn filaments_of_a_flower_are_gathered_by_material() {
     let stamen = |x: f32, variant| Organ {
         role: Role { variant, ..Role::of(OrganPart::Stamen) },

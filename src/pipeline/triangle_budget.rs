@@ -28,6 +28,8 @@ use crate::plant::{Detail, FinishedPlant, Organ, OrganKind, Shape, Template};
 
 /// Share of the triangles that fruits may have.
 const FRUITS: f32 = 0.15;
+/// Times that their number is found at most.
+const FRUIT_ROUNDS: usize = 4;
 /// Accepted difference, share of the triangles asked for.
 const NEAR: f32 = 0.03;
 /// Foliage has its own share of the triangles from so many pieces on.
@@ -207,9 +209,18 @@ fn with_few_fruits(
     let others = budget.count(&with_fruits(&plant, 0.0), params);
     // What the rest of the plant leaves over is theirs, too.
     let room = (FRUITS * budget.wanted as f32).max(budget.wanted.saturating_sub(others) as f32);
-    let share = room / now.saturating_sub(others).max(1) as f32;
+    let mut share = room / now.saturating_sub(others).max(1) as f32;
     if share >= 1.0 {
         return (plant, now);
+    }
+    // Of few each is finer than of many.
+    for _ in 1..FRUIT_ROUNDS {
+        let now = budget.count(&with_fruits(&plant, share), params);
+        let theirs = now.saturating_sub(others) as f32;
+        if theirs <= room {
+            break;
+        }
+        share *= room / theirs;
     }
     let plant = with_fruits(&plant, share);
     let now = budget.count(&plant, params);

@@ -62,15 +62,15 @@ use bodies::{ball, body, fruits, mushroom, pads};
 use corrected::Corrected;
 use flowers::{bell, bud, corolla, corolla_on_stem, cup, gathered, lotus, rays, rose, row};
 use leaves::{
-    above_pot, clover, double_stem, leaf, leaf_loops, leafy_branches, leafy_stem, lobed_leaf, potted_stem,
-    stem_arcs, stem_loops, strap,
+    above_pot, clover, double_stem, leaf, leaf_loops, leafy_branches, leafy_stem, lobed_leaf, pinnate,
+    potted_stem, stem_arcs, stem_loops, strap,
 };
 use lines::{Redrawn, chains::Chains};
 use page::Page;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use trees::{bare, bush, conifer, poplar_row, tree, tree_on_line};
+use trees::{bare, bush, conifer, in_blossom, poplar_row, tree, tree_on_line};
 use tufts::{fronds, grass, lawn, tuft};
 use whole::Looks;
 
@@ -240,6 +240,7 @@ const CONVENTIONS: &[Propose] = &[
     clover::propose,
     leafy_stem::propose,
     leafy_branches::propose,
+    pinnate::propose,
     leaf_loops::propose,
     stem_loops::propose,
     stem_arcs::propose,
@@ -387,5 +388,7 @@ fn proposed_above(page: &Page, beneath: &[Hypothesis]) -> Vec<Hypothesis> {
         all.split_off(beneath.len())
     };
     let found: Vec<Vec<Hypothesis>> = CONVENTIONS.par_iter().with_max_len(1).map(by).collect();
-    found.into_iter().flatten().collect()
+    let mut found: Vec<Hypothesis> = found.into_iter().flatten().collect();
+    found.extend(in_blossom::without_flowers(&found));
+    found
 }

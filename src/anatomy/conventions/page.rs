@@ -9,6 +9,7 @@ use crate::kept::{Kept, Same, Use};
 use crate::sketch::{Stroke, Tool};
 use glam::{IVec2, Vec2};
 use std::collections::{BTreeSet, HashMap};
+use std::f32::consts::FRAC_PI_4;
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -313,6 +314,13 @@ impl Shape {
     /// Middle of the bounds.
     pub fn middle(&self) -> Vec2 {
         self.bounds.0.midpoint(self.bounds.1)
+    }
+
+    /// The area of its hull over that of the disc across its longest way: of an ellipse its width over its length, wherever it points.
+    pub fn roundness(&self) -> f32 {
+        let across = |p: &Vec2| self.hull.iter().map(|q| p.distance(*q)).fold(0.0, f32::max);
+        let longest = self.hull.iter().map(across).fold(f32::MIN_POSITIVE, f32::max);
+        self.hull_area / (FRAC_PI_4 * longest * longest)
     }
 
     /// Whether it goes over its own area again and again.

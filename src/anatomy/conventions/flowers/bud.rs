@@ -119,7 +119,7 @@ fn teeth(head: &Line, stem: &Line) -> Option<Vec<Made>> {
     Some(petals.into_iter().map(|petal| Made::new(Tool::Petal, petal)).collect())
 }
 
-/// Whether a head is a disc or an ellipse, not pointed as a blade is.
+/// Whether a head is a disc or an ellipse, not pointed or narrow as a blade is.
 fn is_round(head: &Line) -> bool {
     let size = head.size();
     let fill = head.hull_area / (FRAC_PI_4 * size.x * size.y).max(f32::MIN_POSITIVE);
@@ -127,6 +127,7 @@ fn is_round(head: &Line) -> bool {
         && head.solidity() > ROUND.1
         && (FILL.0..FILL.1).contains(&fill)
         && size.min_element() > NARROW * size.max_element()
+        && head.roundness() > NARROW
         && tips_of_hull(head, TIP).is_empty()
 }
 

@@ -24,6 +24,9 @@ const TIPS: (usize, usize) = (3, 9);
 /// The same of a cup that is known by them alone, and the least depth of notches between them, as a share of its height.
 const FEW: (usize, usize) = (2, 4);
 const CLEAR: f32 = 0.07;
+/// How high above its base they are joined at least in a cup that is so much wider than high, as a share of its height: a pair of
+/// leaves spreads.
+const JOINED: (f32, f32) = (1.5, 0.35);
 /// Fewest lines of a head that stands, most of it, and most of a group that is looked at.
 const LINES: (usize, usize, usize) = (2, 10, 40);
 /// Steepest way down of a stem, from which a head of one line is a bell: leaves hang, too, but have one tip.
@@ -235,7 +238,7 @@ pub(crate) fn petals_of_one(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>> 
 }
 
 /// The petals of a cup in one line whose lower edge is here and that has [`FEW`] tips, with notches between them that nobody draws
-/// by chance.
+/// by chance. Two outlines that meet at the stem alone are a pair of leaves.
 pub(crate) fn petals_of_teeth(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>> {
     let base = Base { place, along: Vec2::NEG_Y };
     let height = line.size().y;
@@ -243,9 +246,13 @@ pub(crate) fn petals_of_teeth(line: &Line, place: Vec2) -> Option<Vec<Vec<Vec2>>
     let lowest = (0..outline.len()).max_by(|a, b| outline[*a].y.total_cmp(&outline[*b].y)).unwrap_or(0);
     let around: Vec<Vec2> = (0..=outline.len()).map(|k| outline[(lowest + k) % outline.len()]).collect();
     let below: Vec<f32> = around.iter().map(|p| (height - base.height(*p)).max(0.0)).collect();
-    let all = lobes::valleys_between(&below, CLEAR * height).into_iter().map(|k| around[k]);
-    let tips: Vec<Vec2> = all.filter(|tip| base.height(*tip) > HIGH.0 * height).collect();
-    (FEW.0..=FEW.1).contains(&tips.len()).then(|| from_tips(&outline, place, &tips))
+    let mut tips = lobes::valleys_between(&below, CLEAR * height);
+    tips.retain(|k| below[*k] < (1.0 - HIGH.0) * height);
+    let is_wide = line.size().x > JOINED.0 * height;
+    let is_joined = |pair: &[usize]| below[pair[0]..pair[1]].iter().all(|d| *d < (1.0 - JOINED.1) * height);
+    let is_cup = (FEW.0..=FEW.1).contains(&tips.len()) && (!is_wide || tips.windows(2).all(is_joined));
+    let places: Vec<Vec2> = tips.iter().map(|k| around[*k]).collect();
+    is_cup.then(|| from_tips(&outline, place, &places))
 }
 
 /// How far an outline goes beyond the line from the base to an outer tip, away from the others.

@@ -40,6 +40,12 @@ const ROOT: f32 = 0.15;
 /// Least size of the drawing, in sizes of a sun, and the upper part of it in which suns stand.
 const SKY: (f32, f32) = (2.5, 0.45);
 
+/// How far from the middle of a flower its stem ends at most, and how far below that it begins at least, in the flower's radii; least cosine
+/// between the stem's end and the way to the middle.
+const STEM: (f32, f32, f32) = (1.7, 2.5, 0.8);
+/// Part of a stem at whose end its direction is measured.
+const STEM_END: usize = 6;
+
 /// Proposes a flower or a sun for each centre with rays.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let centres: Vec<usize> = (0..page.lines.len()).filter(|i| corolla::is_round(&page.lines[*i])).collect();
@@ -107,7 +113,8 @@ fn flower(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     uses.sort_unstable();
     uses.dedup();
     let stands_free = others().all(|i| uses.binary_search(&i).is_ok());
-    let is_sun = stands_free && is_in_the_sky(page, &focus, focus.half.max_element() + middle);
+    let radius = focus.half.max_element() + middle;
+    let is_sun = stands_free && is_in_the_sky(page, &focus, radius) && !is_on_stem(page, focus.place, radius);
     let parts = if is_sun { Vec::new() } else { petals(&rays, &focus, middle, &disc.hull) };
     let score = 4.0 + 0.1 * rays.len().min(10) as f32;
     let reading = if is_sun { Reading::Sun } else { Reading::Corolla };
@@ -119,6 +126,25 @@ fn flower(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
 fn is_in_the_sky(page: &Page, focus: &Focus, radius: f32) -> bool {
     let size = page.bounds.1 - page.bounds.0;
     size.y > SKY.0 * 2.0 * radius && focus.place.y < page.bounds.0.y + SKY.1 * size.y
+}
+
+/// Whether a line rises to just below a thing of such a radius and points at its middle.
+fn is_on_stem(page: &Page, place: Vec2, radius: f32) -> bool {
+    let margin = Vec2::splat(STEM.0 * radius);
+    let near = page.lines_at(&[(place - margin, place + margin)]);
+    near.iter().flatten().any(|i| {
+        let points = &page.lines[*i].points;
+        let (first, last) = page.lines[*i].ends();
+        let inner = points.len() / STEM_END;
+        let (top, before, foot) = match first.y < last.y {
+            true => (first, points[inner], last),
+            false => (last, points[points.len() - 1 - inner], first),
+        };
+        let leads = (top - before).normalize_or_zero().dot((place - top).normalize_or_zero());
+        (0.5 * radius..STEM.0 * radius).contains(&top.distance(place))
+            && foot.y > place.y + STEM.1 * radius
+            && leads > STEM.2
+    })
 }
 
 /// A petal along each ray, and the centre.
@@ -203,5 +229,7 @@ mod tests {
         assert_eq!(read(&sun)[0].reading, Reading::Corolla);
         let stem = vec![Vec2::new(60.0, 92.0), Vec2::new(60.0, 500.0)];
         assert_eq!(with(stem), (Reading::Corolla, false));
+        let below = vec![Vec2::new(62.0, 140.0), Vec2::new(70.0, 500.0)];
+        assert_eq!(with(below), (Reading::Corolla, false), "the stem ends below the petals");
     }
 }

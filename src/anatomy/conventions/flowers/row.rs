@@ -27,6 +27,8 @@ const RAY: (f32, f32, usize) = (0.9, 0.3, 2);
 /// Lines that cross in the middle of a head which is a flower even if it is the only one; how far from there their middles are at most, and
 /// their least length, as shares of its size.
 const STAR: (usize, f32, f32) = (3, 0.2, 0.6);
+/// How far above the middle of such a head its stem ends at most, as a share of the head's height.
+const THROUGH: f32 = 0.25;
 /// Points of a petal along a ray, where it begins, as a share of the ray, and half its width, as a share of the head's half size.
 const THIN: (usize, f32, f32) = (10, 0.06, 0.2);
 /// Log-odds of a head by itself, and most of one whose petals are not seen all around: conventions that know more of it come first.
@@ -46,6 +48,8 @@ const SLENDER: f32 = 0.8;
 /// The same of ground under its foot, how near that is, as a share of the stem's length, and greatest height of ground, as a share
 /// of its width.
 const GROUND: (f32, f32, f32) = (0.8, 0.3, 0.25);
+/// How near the upper corners of a pot are to the ends of its rim, and how high it is at least, as shares of the rim's width.
+const RIM: (f32, f32) = (0.15, 0.3);
 /// Least width of ground, as a share of the drawing's.
 const WIDE: f32 = 0.35;
 /// What speaks against it: as much of other lines at its height as it has itself; a head that touches it.
@@ -53,6 +57,8 @@ const CROWDED: f32 = 1.5;
 const TOUCHING: f32 = 1.5;
 /// Stretch and turn of the tip of a blade.
 const TIP: (f32, f32) = (0.1, 1.6);
+/// Most roundness of a leaf that leans, and least lean, as a slope.
+const LEANING: (f32, f32) = (0.5, 0.6);
 /// Of the two leaves of a sprout: how near to the stem's top they begin, in sizes of the leaf, and least size of one, as a share of the other's.
 const SPROUT: (f32, f32) = (0.35, 0.45);
 
@@ -65,7 +71,7 @@ pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let ground = ground(page, &stems);
     let is_potted = ground.is_empty() && page.has_apart();
     let (flowers, bare) = flowers(page, stems, &ground);
-    let is_star = |flower: &Flower| flower.crossing(page) >= STAR.0;
+    let is_star = |flower: &Flower| flower.crossing(page) >= STAR.0 && !flower.goes_through();
     if flowers.len() + bare < FEWEST && !flowers.iter().any(is_star) {
         return;
     }
@@ -107,7 +113,18 @@ fn ground<'a>(page: &'a Page, stems: &[Flower]) -> Vec<&'a Line> {
         let is_level = size.y < GROUND.2 * size.x;
         size.x > WIDE * width && (is_level || stand_in_bed(stems, line.bounds))
     };
-    (0..page.lines.len()).filter(|i| page.is_apart(*i)).map(|i| &page.lines[i]).filter(is_ground).collect()
+    let apart = || (0..page.lines.len()).filter(|i| page.is_apart(*i)).map(|i| &page.lines[i]);
+    apart().filter(is_ground).filter(|line| !apart().any(|other| is_rim(line, other))).collect()
+}
+
+/// Whether a line is the rim of a pot that another line draws: this hangs from it and is no wider.
+fn is_rim(line: &Line, pot: &Line) -> bool {
+    let (near, wide) = (Vec2::splat(RIM.0 * line.size().x), line.size().x);
+    let (low, high) = (line.bounds.0 - near, line.bounds.1 + near);
+    pot.bounds.0.cmpgt(low).all()
+        && pot.bounds.1.x < high.x
+        && pot.bounds.0.y < high.y
+        && pot.bounds.1.y > line.bounds.1.y + RIM.1 * wide
 }
 
 /// Those of all stems of a page that are of the form of a flower, and how many other stems stand on the ground beside them.
@@ -130,7 +147,8 @@ fn are_potted_flowers(page: &Page, flowers: &[Flower]) -> bool {
     flowers.len() >= FEWEST
         && flowers.iter().any(is_one)
         && !flowers.iter().any(|flower| {
-            flower.is_blade(page) || flower.lines(page).count() > 2 && flower.drawn(page).is_none()
+            let is_bare = flower.lines(page).count() > 2 && flower.drawn(page).is_none();
+            flower.is_blade(page) || flower.leans(page) || is_bare
         })
 }
 
@@ -163,6 +181,14 @@ impl Flower<'_> {
         self.only(page).is_some_and(|line| {
             let has_tip = || !tips_of_hull(line, TIP).is_empty();
             line.is_closed_and_solid() && has_tip() || self.points_away(page)
+        })
+    }
+
+    /// Whether its head is narrow and stands aside of its stem.
+    fn leans(&self, page: &Page) -> bool {
+        self.only(page).is_some_and(|line| {
+            let from_top = line.middle() - self.stem.top();
+            line.roundness() < LEANING.0 && from_top.x.abs() > LEANING.1 * from_top.y.abs()
         })
     }
 
@@ -204,6 +230,12 @@ impl Flower<'_> {
         let is_across =
             |ray: &&&Line| ray.middle().distance(middle) < STAR.1 * size && ray.length > STAR.2 * size;
         self.rays(page).iter().filter(is_across).count()
+    }
+
+    /// Whether its stem goes on far beyond the middle of the head: that of leaflets along a rachis does.
+    fn goes_through(&self) -> bool {
+        let beyond = self.bounds.0.midpoint(self.bounds.1).y - self.stem.top().y;
+        beyond > THROUGH * self.size().y
     }
 
     /// Petals that can be seen in the drawing.

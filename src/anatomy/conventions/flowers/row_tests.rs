@@ -122,3 +122,22 @@ fn in_a_pot_heads_are_flowers_if_one_of_them_shows_it() {
     let leaves = [&stems[..], &[leaf(71.0), leaf(123.0), body]].concat();
     assert!(read_above(pot::propose, propose, &leaves).is_empty());
 }
+
+#[test]
+fn leaves_that_lean_from_stems_in_a_pot_are_no_heads() {
+    let stem = |x: f32| (0..=20).map(|k| Vec2::new(x, -8.0 * k as f32)).collect::<Vec<_>>();
+    // Outlines that are left open at their stems.
+    let leaf = |x: f32, side: f32| {
+        let at = |t: f32, wide: f32| {
+            Vec2::new(x + side * (4.0 + 38.0 * t), -160.0 - 22.0 * t + wide * (3.1 * t).sin())
+        };
+        let out = (3..=20).map(|k| at(k as f32 / 20.0, 9.0));
+        let back = (3..20).rev().map(|k| at(k as f32 / 20.0, -9.0));
+        out.chain(back).collect::<Vec<_>>()
+    };
+    let rim = vec![Vec2::new(-60.0, 2.0), Vec2::new(60.0, 2.0)];
+    let pot = [(-60.0, 2.0), (-40.0, 80.0), (40.0, 80.0), (60.0, 2.0)].map(Vec2::from).to_vec();
+    let drawn = [rim, pot, stem(-30.0), stem(30.0), leaf(-30.0, -1.0), leaf(30.0, 1.0)];
+    let found = read_above(pot::propose, propose, &drawn);
+    assert!(found.is_empty(), "{found:?}");
+}

@@ -3,6 +3,8 @@
 //! Both are steep, about as long, and as far apart everywhere as a stem is thick; nothing lies between them. They become one branch as thick
 //! as drawn. A trunk has a crown, which explains more and wins.
 //!
+//! With lines across it from side to side it is a cane, as bamboo's, and needs nothing on its upper end.
+//!
 //! Limits: stems that fork; sides of several strokes.
 
 use crate::anatomy::conventions::page::{Line, Page, even};
@@ -28,6 +30,11 @@ const HEAD: f32 = 0.25;
 const POINTS: usize = 24;
 /// Log-odds.
 const SCORE: f32 = 0.9;
+/// Fewest nodes of a cane, and its log-odds: spines of a cactus do not cross it.
+const NODES: (usize, f32) = (2, 5.6);
+/// Of a node: least and most length, in widths of the stem, greatest cosine between it and the stem, and how far from the stem's middle
+/// line its middle is, in widths.
+const ACROSS: (f32, f32, f32, f32) = (0.7, 1.9, 0.5, 0.25);
 
 /// Proposes a stem for each two sides.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
@@ -76,7 +83,14 @@ fn stem(page: &Page, a: &Side, b: &Side) -> Option<Hypothesis> {
         && (APART.0..APART.1).contains(&(2.0 * mean / long))
         && widest < WIDEST * mean
         && 10 * beside >= 9 * POINTS;
-    if !is_stem || !carries(page, (a, b), rows[POINTS - 1].0, long) || has_between(page, (a, b), &rows) {
+    if !is_stem {
+        return None;
+    }
+    let nodes = nodes(page, (a, b), &rows);
+    let is_cane = nodes.len() >= NODES.0;
+    if !(is_cane || carries(page, (a, b), rows[POINTS - 1].0, long))
+        || has_between(page, (a, b), (&rows, &nodes))
+    {
         return None;
     }
     let point =
@@ -84,10 +98,11 @@ fn stem(page: &Page, a: &Side, b: &Side) -> Option<Hypothesis> {
     let points = rows.iter().map(point).collect();
     let part = Made { tool: Tool::Branch, points, half_width: Some(widest) };
     let mut uses = vec![a.number, b.number];
+    uses.extend(nodes.into_iter().filter(|_| is_cane));
     uses.sort_unstable();
     Some(Hypothesis {
         uses,
-        score: SCORE * page.weight(long),
+        score: if is_cane { NODES.1 } else { SCORE } * page.weight(long),
         parts: vec![part],
         solids: Vec::new(),
         reading: Reading::Line,
@@ -106,14 +121,29 @@ fn carries(page: &Page, (a, b): (&Side, &Side), top: Vec2, long: f32) -> bool {
     lines.filter(|(i, _)| *i != a.number && *i != b.number).any(|(_, line)| is_head(line))
 }
 
-/// Whether another line runs between both sides.
-fn has_between(page: &Page, (a, b): (&Side, &Side), rows: &[(Vec2, f32)]) -> bool {
+/// The lines across a stem from side to side: nodes of a cane.
+fn nodes(page: &Page, (a, b): (&Side, &Side), rows: &[(Vec2, f32)]) -> Vec<usize> {
+    let way: Vec<Vec2> = rows.iter().map(|row| row.0).collect();
+    let along = (way[POINTS - 1] - way[0]).normalize_or_zero();
+    let wide = 2.0 * rows.iter().map(|row| row.1).sum::<f32>() / POINTS as f32;
+    let is_node = |line: &Line| {
+        let (first, last) = line.ends();
+        (ACROSS.0 * wide..ACROSS.1 * wide).contains(&line.length)
+            && (last - first).normalize_or_zero().dot(along).abs() < ACROSS.2
+            && polyline::nearest(&way, first.midpoint(last)).is_some_and(|(gap, _)| gap < ACROSS.3 * wide)
+    };
+    let others = (0..page.lines.len()).filter(|i| *i != a.number && *i != b.number);
+    others.filter(|i| is_node(&page.lines[*i])).collect()
+}
+
+/// Whether another line but nodes runs between both sides.
+fn has_between(page: &Page, (a, b): (&Side, &Side), (rows, nodes): (&[(Vec2, f32)], &[usize])) -> bool {
     let way: Vec<Vec2> = rows.iter().map(|row| row.0).collect();
     let widest = rows.iter().map(|row| row.1).fold(0.0, f32::max);
     let is_within = |p: &&Vec2| polyline::nearest(&way, **p).is_some_and(|(gap, _)| gap < 0.8 * widest);
     page.lines.iter().enumerate().any(|(i, line)| {
         let inside = || line.points.iter().filter(is_within).count();
-        i != a.number && i != b.number && 2 * inside() > line.points.len()
+        i != a.number && i != b.number && !nodes.contains(&i) && 2 * inside() > line.points.len()
     })
 }
 
@@ -138,6 +168,17 @@ mod tests {
         let [stem] = &found[0].parts[..] else { panic!("{} parts", found[0].parts.len()) };
         assert!(stem.tool == Tool::Branch && (stem.half_width.unwrap() - 5.0).abs() < 0.6);
         assert!(stem.points[0].position.distance(Vec2::new(5.0, 0.0)) < 1.0);
+    }
+
+    #[test]
+    fn two_sides_with_lines_across_are_a_cane_with_its_nodes() {
+        let node = |y: f32| line(&[(1.0, y), (16.0, y - 2.0)]);
+        let cane = [side(0.0), side(10.0), node(-40.0), node(-90.0)];
+        let found = read_by(propose, &cane);
+        assert_eq!((found.len(), &found[0].uses[..]), (1, &[0, 1, 2, 3][..]));
+        assert!(read_by(propose, &cane[..3]).is_empty(), "one line across");
+        let spine = |y: f32| line(&[(12.0, y), (30.0, y - 6.0)]);
+        assert!(read_by(propose, &[side(0.0), side(10.0), spine(-40.0), spine(-90.0)]).is_empty());
     }
 
     #[test]

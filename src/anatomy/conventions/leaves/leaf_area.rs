@@ -47,6 +47,12 @@ const NOTCHES: usize = 3;
 const LONGEST: f32 = 2.2;
 const CLOSED: f32 = 0.3;
 
+/// Fewest lines of an outline that may be the leaflets of a frond, and how many begin at one line then.
+const LEAFLETS: (usize, f32) = (6, 0.7);
+/// How near they come to that line at most, as a share of how far they go from it, and the least of that, in their lengths.
+const AT_RACHIS: f32 = 0.15;
+const FROM_RACHIS: f32 = 0.4;
+
 /// The blade that a group of lines encloses, if a few of them draw its outline.
 pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
     if !(2..=MOST_LINES).contains(&group.len()) {
@@ -68,7 +74,7 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
         group.iter().copied().filter(|i| contour.share_of(&page.lines[*i]) > OUTLINE.0).collect();
     let drawn = outline.iter().map(|i| page.lines[*i].points.as_slice());
     let drawn = drawn.chain(closing.iter().map(Vec::as_slice));
-    if share_along(&ring, drawn, contour.reach) < OUTLINE.1 {
+    if share_along(&ring, drawn, contour.reach) < OUTLINE.1 || are_leaflets(page, group, &outline) {
         return None;
     }
     let drawn = || outline.iter().map(|i| &page.lines[*i]);
@@ -83,6 +89,23 @@ pub(crate) fn of_group(page: &Page, group: &[usize]) -> Option<Blade> {
         contour.leave(line, &mut blade, diagonal);
     }
     Some(blade)
+}
+
+/// Whether most lines of an outline begin at the longest line of their group: leaflets, close together along their rachis.
+fn are_leaflets(page: &Page, group: &[usize], outline: &[usize]) -> bool {
+    let length = |i: &usize| page.lines[*i].length;
+    let Some(rachis) = group.iter().copied().max_by(|a, b| length(a).total_cmp(&length(b))) else {
+        return false;
+    };
+    let gap = |p: &Vec2| polyline::nearest(&page.lines[rachis].points, *p).map_or(f32::INFINITY, |it| it.0);
+    // Two opposite ones may be taken for one line.
+    let is_leaflet = |i: &&usize| {
+        let gaps = || page.lines[**i].points.iter().map(gap);
+        let (near, far) = (gaps().fold(f32::INFINITY, f32::min), gaps().fold(0.0, f32::max));
+        **i != rachis && near < AT_RACHIS * far && far > FROM_RACHIS * length(i)
+    };
+    let leaflets = outline.iter().filter(is_leaflet).count();
+    leaflets >= LEAFLETS.0 && leaflets as f32 > LEAFLETS.1 * outline.len() as f32
 }
 
 /// Whether lines may be a leaf, before their area is asked for: something may be the midrib, and nothing is scribbled.

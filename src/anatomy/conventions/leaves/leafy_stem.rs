@@ -18,6 +18,9 @@ const STRAIGHT: f32 = 0.75;
 const LARGE: f32 = 0.7;
 const AT: f32 = 0.12;
 const AWAY: f32 = 0.4;
+/// Widest opening of an outline whose ends are at its twig, the least of its hull that it fills, and how near these ends are, as a share
+/// of its size.
+const OPEN: (f32, f32, f32) = (0.45, 0.8, 0.3);
 /// How much of a twig on either side of a leaf's root gives its direction there: a hand trembles.
 const AROUND: f32 = 0.05;
 /// How much farther than its nearest point a leaf's points are that lie on the twig, as a share of its size.
@@ -120,6 +123,14 @@ fn of_line(page: &Page, (number, whole): (usize, f32), near: &[usize]) -> Option
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading: Reading::Leaf, habit: None })
 }
 
+/// Whether a line is an outline that is left open at a twig.
+fn is_open_at(line: &Line, way: &[Vec2]) -> bool {
+    let is_at =
+        |p: Vec2| polyline::nearest(way, p).is_some_and(|(gap, _)| gap < OPEN.2 * line.size().max_element());
+    let (first, last) = line.ends();
+    line.openness < OPEN.0 && line.solidity() > OPEN.1 && is_at(first) && is_at(last)
+}
+
 /// An outline at a twig.
 pub(super) struct Leaf {
     /// Its line on the page.
@@ -134,7 +145,8 @@ impl Leaf {
     /// An outline as a leaf of a twig that is `length` long.
     pub(super) fn new(number: usize, line: &Line, way: &[Vec2], length: f32) -> Option<Self> {
         let size = line.size().max_element();
-        if !line.is_closed_and_solid() || line.is_scribble() || size > LARGE * length {
+        let is_outline = line.is_closed_and_solid() || is_open_at(line, way);
+        if !is_outline || line.is_scribble() || size > LARGE * length {
             return None;
         }
         let off = |p: Vec2| polyline::nearest(way, p).unwrap_or((f32::INFINITY, 0.0));
@@ -185,6 +197,26 @@ mod tests {
 
     fn twig() -> Vec<Vec2> {
         line(&[(0.0, 0.0), (10.0, -100.0), (0.0, -200.0)])
+    }
+
+    #[test]
+    fn outlines_that_are_open_at_their_twig_are_leaves_and_others_are_not() {
+        let open = |from: usize, less: usize| {
+            let leaves = [
+                ((3.0, -40.0), (50.0, -30.0)),
+                ((9.0, -90.0), (-50.0, -30.0)),
+                ((8.0, -140.0), (45.0, -35.0)),
+            ];
+            let opened = leaves.map(|(root, along)| {
+                let ring = oval(root, along);
+                // The ring begins at its root; one begun elsewhere is open there.
+                let around: Vec<Vec2> = ring[from..].iter().chain(&ring[1..from]).copied().collect();
+                around[less..around.len() - less].to_vec()
+            });
+            read(&[vec![twig()], opened.to_vec()].concat())
+        };
+        assert_eq!(open(1, 2)[0].uses, [0, 1, 2, 3]);
+        assert!(open(20, 5).is_empty());
     }
 
     #[test]

@@ -11,6 +11,7 @@
 //! | `above_pot` | leaves over a pot, without a stem |
 //! | `clover` | notched leaflets about one place |
 //! | `leafy_stem` | a twig: outlines of leaves along a line |
+//! | `pinnate` | a frond of single lines, as a fern's |
 //! | `leafy_branches` | a branched stem of lines with leaves at their ends and along them |
 //! | `stem_loops` | leaves that are loops in the stroke of their stem |
 //! | `double_stem` | a stem by its two sides |
@@ -32,6 +33,7 @@ pub(crate) mod leafy_branches;
 pub(crate) mod leafy_stem;
 pub(crate) mod lobed_leaf;
 mod open_ends;
+pub(crate) mod pinnate;
 pub(crate) mod potted_stem;
 pub(crate) mod spurs;
 pub(crate) mod stem_arcs;

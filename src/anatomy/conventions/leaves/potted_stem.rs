@@ -8,6 +8,7 @@
 //! Limits: leaves on twigs; a line that carries something stays as it is, and then so does the plant.
 
 use super::spurs;
+use crate::anatomy::conventions::flowers::corolla_on_stem::petals_on_stem;
 use crate::anatomy::conventions::flowers::rays::blade;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes;
@@ -29,7 +30,7 @@ const UPRIGHT: f32 = 1.0;
 const LONG: f32 = 0.35;
 const STEMS: usize = 5;
 /// Largest opening of the outline of a leaf, and how near its root is to a stem, as a share of its size.
-const OPEN: f32 = 0.3;
+const OPEN: f32 = 0.42;
 const AT: f32 = 0.3;
 /// Leaves at the end of a stem that are petals: how many, and the share of the stem from which they are there.
 const PETALS: (usize, f32) = (4, 0.9);
@@ -126,7 +127,7 @@ struct Leaves {
     roots: Vec<f32>,
     /// How many were drawn with both edges.
     whole: usize,
-    /// Whether one of these is round and at the end of a stem.
+    /// Whether one of these is at the end of a stem and round, or shows petals.
     has_head: bool,
 }
 
@@ -203,7 +204,8 @@ fn grows(page: &Page, number: usize, stems: &[Stem], leaves: &mut Leaves) -> boo
         let reach = line.points.iter().map(|p| p.distance(place)).fold(0.0, f32::max);
         let is_leaf = away(&root) < AT * size && reach > REACH * size;
         let is_round = line.area > ROUND * line.length * line.length;
-        leaves.has_head |= is_leaf && is_round && share > PETALS.1;
+        let has_petals = || petals_on_stem(line, stem.way[stem.way.len() - 1]).is_some();
+        leaves.has_head |= is_leaf && share > PETALS.1 && (is_round || has_petals());
         if is_leaf {
             let mut around = line.points.clone();
             around.rotate_left(root);

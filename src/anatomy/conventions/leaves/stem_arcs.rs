@@ -33,13 +33,20 @@ const EVEN: f32 = 0.6;
 /// Log-odds of each, and of a leaf of two: one with its midrib is known better by others.
 const SCORE: f32 = 1.5;
 const SCORE_OF_TWO: f32 = 1.2;
+/// So many leaves of two on one stem, and log-odds of each: no twigs of a bare tree meet in pairs.
+const MANY_OF_TWO: (usize, f32) = (3, 3.0);
 
 /// Proposes leaves for the arcs at each stem.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let chord = |line: &Line| line.ends().0.distance(line.ends().1);
     let is_stem = |i: &usize| chord(&page.lines[*i]) > STRAIGHT * page.lines[*i].length;
     let stems: Vec<usize> = (0..page.lines.len()).filter(|i| is_stem(i) && !page.is_apart(*i)).collect();
-    let boxes: Vec<(Vec2, Vec2)> = stems.iter().map(|i| page.lines[*i].bounds).collect();
+    // Edges of leaves may begin beside their stem.
+    let grown = |line: &Line| {
+        let margin = Vec2::splat(SIDES.0 * SHORT * chord(line));
+        (line.bounds.0 - margin, line.bounds.1 + margin)
+    };
+    let boxes: Vec<(Vec2, Vec2)> = stems.iter().map(|i| grown(&page.lines[*i])).collect();
     for (&stem, near) in stems.iter().zip(page.lines_at(&boxes)) {
         leaves_of_two(page, stem, &near, out);
         let arcs: Vec<usize> =
@@ -83,7 +90,7 @@ impl Side {
         let (chord, long) = (first.distance(last), stem.ends().0.distance(stem.ends().1));
         let away = |p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
         let is_at = |p: Vec2| away(p) < SIDES.0 * chord;
-        let is_one = !line.is_scribble() && chord < SHORT * long && chord > 0.6 * line.length;
+        let is_one = chord < SHORT * long && chord > 0.6 * line.length;
         if !is_one || is_at(first) == is_at(last) {
             return None;
         }
@@ -120,12 +127,15 @@ fn leaves_of_two(page: &Page, stem: usize, near: &[usize], out: &mut Vec<Hypothe
     let sides: Vec<Side> =
         near.iter().filter(|i| **i != stem).filter_map(|i| Side::of(page, *i, line)).take(ARCS.1).collect();
     let mut is_used = vec![false; sides.len()];
+    let mut pairs = Vec::new();
     for a in 0..sides.len() {
         let fits = |b: &usize| !is_used[*b] && is_leaf_of(&sides[a], &sides[*b]);
         let Some(b) = (a + 1..sides.len()).find(fits).filter(|_| !is_used[a]) else { continue };
         (is_used[a], is_used[b]) = (true, true);
-        out.push(leaf_of_two(page, (&sides[a], &sides[b]), line));
+        pairs.push((&sides[a], &sides[b]));
     }
+    let score = if pairs.len() < MANY_OF_TWO.0 { SCORE_OF_TWO } else { MANY_OF_TWO.1 };
+    out.extend(pairs.into_iter().map(|pair| leaf_of_two(page, pair, line, score)));
 }
 
 /// Whether two sides meet at a tip, stand apart on the stem and bulge away from each other.
@@ -141,7 +151,7 @@ fn is_leaf_of(a: &Side, b: &Side) -> bool {
         && (WIDTH.0..WIDTH.1).contains(&width)
 }
 
-fn leaf_of_two(page: &Page, (a, b): (&Side, &Side), stem: &Line) -> Hypothesis {
+fn leaf_of_two(page: &Page, (a, b): (&Side, &Side), stem: &Line, score: f32) -> Hypothesis {
     let between = a.foot().midpoint(b.foot());
     let root = polyline::nearest(&stem.points, between).map_or(between, |(_, arc)| {
         let arcs = polyline::arc_lengths(stem.points.iter().copied());
@@ -157,7 +167,7 @@ fn leaf_of_two(page: &Page, (a, b): (&Side, &Side), stem: &Line) -> Hypothesis {
     uses.sort_unstable();
     Hypothesis {
         uses,
-        score: SCORE_OF_TWO * page.weight(2.0 * a.length().max(b.length())),
+        score: score * page.weight(2.0 * a.length().max(b.length())),
         parts: vec![Made::new(Tool::Leaf, outline)],
         solids: Vec::new(),
         reading: Reading::Leaf,
@@ -238,6 +248,22 @@ mod tests {
         assert!(root.distance(Vec2::new(0.0, 6.0)) < 3.0, "on the stem: {root}");
         let far = arc(Vec2::new(0.0, 60.0), Vec2::new(8.0, 14.0));
         assert!(read(&[stem, upper, far]).is_empty(), "two twigs that meet");
+    }
+
+    #[test]
+    fn several_leaves_of_two_arcs_are_likelier_than_twigs() {
+        let stem = vec![Vec2::new(0.0, 100.0), Vec2::new(0.0, -200.0)];
+        let arc = |y: f32, by: f32| {
+            let along =
+                |t: f32| Vec2::new(7.0 + 75.0 * t, y - 40.0 * t + by * (std::f32::consts::PI * t).sin());
+            (0..=30).map(|k| along(k as f32 / 30.0)).collect::<Vec<_>>()
+        };
+        let leaves = |count: usize| {
+            let sides = (0..count).flat_map(|k| [-12.0, 12.0].map(|by| arc(60.0 - 70.0 * k as f32, by)));
+            read(&std::iter::once(stem.clone()).chain(sides).collect::<Vec<_>>())
+        };
+        assert_eq!((leaves(2).len(), leaves(3).len()), (2, 3));
+        assert!(leaves(3)[0].score > 2.0 * leaves(2)[0].score);
     }
 
     #[test]

@@ -15,6 +15,7 @@
 //! | `tilted` | what leans a little, read as if upright |
 //! | `half_crown` | crowns of which one side was left out |
 //! | `half_fir` | firs of which one side is hidden or was left out |
+//! | `in_blossom` | flowers drawn in a crown |
 //! | `evidence` | what speaks for and against outlines of crowns |
 
 pub(crate) mod bare;
@@ -23,6 +24,7 @@ pub(crate) mod conifer;
 pub(crate) mod evidence;
 pub(crate) mod half_crown;
 pub(crate) mod half_fir;
+pub(crate) mod in_blossom;
 pub(crate) mod poplar_row;
 pub(crate) mod stacked;
 pub(crate) mod tilted;

@@ -52,6 +52,9 @@ const HIGH: f32 = 0.25;
 /// From which share of its length on a strand hangs, its most run over its rise there, fewest strands, and least share of the lines that they are.
 const STRANDS: (f32, f32, usize, f32) = (0.7, 0.35, 4, 0.7);
 
+/// How near to one another ends of a cup's lines lie, and how far from its stem and from each other, as shares of the reach.
+const CUP: (f32, f32) = (0.12, 0.4);
+
 /// Proposes palms, one for each group of lines at most, and what rises from the mouth of a pot that was proposed.
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let potted = out.iter().find(|other| other.reading == Reading::Pot).and_then(|pot| potted(page, pot));
@@ -104,6 +107,7 @@ fn palm(page: &Page, group: &[usize]) -> Option<Hypothesis> {
         || trunk.is_line() && !(crown.has_blades() && crown.apart <= APART && crown.sits_on(&trunk, &rest))
         || lies_below(&rest, &trunk)
         || are_strands(&rest, &trunk)
+        || has_cup(page, &others, (trunk.top(), crown.reach))
     {
         return None;
     }
@@ -165,6 +169,19 @@ fn are_strands(rest: &[(Vec<Vec2>, usize)], trunk: &TrunkSides) -> bool {
     };
     let strands = rest.iter().filter(falls).count();
     strands >= STRANDS.2 && strands as f32 > STRANDS.3 * rest.len() as f32
+}
+
+/// Whether two lines begin and end at the same two places, which lie far from where fronds begin: the cup of a tulip and its rim.
+fn has_cup(page: &Page, lines: &[usize], (top, reach): (Vec2, f32)) -> bool {
+    let ends = |line: &usize| page.lines[*line].ends();
+    let is_same = |a: Vec2, b: Vec2| a.distance(b) < CUP.0 * reach;
+    let is_far = |p: Vec2| p.distance(top) > CUP.1 * reach;
+    let is_rim = |a: &usize, b: &usize| {
+        let ((from, to), (first, last)) = (ends(a), ends(b));
+        let meet = is_same(from, first) && is_same(to, last) || is_same(from, last) && is_same(to, first);
+        meet && is_far(from) && is_far(to) && from.distance(to) > CUP.1 * reach
+    };
+    lines.iter().enumerate().any(|(k, a)| lines[..k].iter().any(|b| is_rim(a, b)))
 }
 
 /// Whether much of the rest lies beside the lower half of the trunk.
@@ -246,6 +263,16 @@ mod tests {
     fn lobes_are_no_fronds() {
         let [left, right] = sides();
         assert!(read(&[left, right, crown(false)]).is_empty());
+    }
+
+    #[test]
+    fn a_cup_with_its_rim_on_a_stem_is_no_crown_of_fronds() {
+        let stem = vec![Vec2::new(0.0, 0.0), Vec2::new(0.0, -140.0)];
+        let cup = [(-26.0, -212.0), (-33.0, -170.0), (0.0, -145.0), (33.0, -170.0), (26.0, -212.0)];
+        let rim = [(-26.0, -212.0), (-12.0, -190.0), (0.0, -218.0), (12.0, -190.0), (26.0, -212.0)];
+        let leaf = [(1.0, -60.0), (30.0, -120.0), (45.0, -160.0), (20.0, -130.0), (1.0, -80.0)];
+        let [cup, rim, leaf] = [cup, rim, leaf].map(|line| line.map(Vec2::from).to_vec());
+        assert!(read(&[stem, cup, rim, leaf]).is_empty());
     }
 
     #[test]
