@@ -70,7 +70,7 @@ use page::Page;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use trees::{bare, bush, conifer, in_blossom, poplar_row, tree, tree_on_line};
+use trees::{bare, bush, cloud_pads, conifer, in_blossom, poplar_row, tree, tree_on_line};
 use tufts::{fronds, grass, lawn, tuft};
 use whole::Looks;
 
@@ -217,6 +217,7 @@ const CONVENTIONS: &[Propose] = &[
     tree::propose,
     tree_on_line::propose,
     poplar_row::propose,
+    cloud_pads::propose,
     bare::propose,
     conifer::propose,
     bush::propose,

@@ -306,6 +306,21 @@ impl Shape {
         (self.points[0], self.points[self.points.len() - 1])
     }
 
+    /// Its points from the end of the smaller measure to the other.
+    pub fn beginning_at(&self, measure: impl Fn(Vec2) -> f32) -> Vec<Vec2> {
+        let mut points = self.points.clone();
+        let (first, last) = self.ends();
+        if measure(first) > measure(last) {
+            points.reverse();
+        }
+        points
+    }
+
+    /// Its points from the lower end to the upper one.
+    pub fn upward(&self) -> Vec<Vec2> {
+        self.beginning_at(|end| -end.y)
+    }
+
     /// Width and height.
     pub fn size(&self) -> Vec2 {
         self.bounds.1 - self.bounds.0

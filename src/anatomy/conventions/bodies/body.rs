@@ -36,6 +36,10 @@ const LEAST: f32 = 2.0;
 /// Least length of a twig, in half widths of the column, how many twigs on a body with arms make it a tree with thick boughs, and least share
 /// of all strokes on it that they are.
 const TWIGS: (f32, usize, f32) = (2.4, 2, 0.6);
+/// Of an outline with ribs: least height, as a share of the whole's, least distance of its ends, as a share of its width, and the part of its
+/// height, from below, where ribs begin; least rise of a rib, as a share of the outline's height and of its own length; and least distance
+/// of two at their feet, as a share of the outline's width.
+const RIBS: (f32, f32, f32, f32, f32) = (0.7, 0.6, 0.1, 0.5, 0.12);
 /// More for each line of an outline but the first, up to so many: what a few leaves would be is seldom a body by chance.
 const EACH: (f32, usize) = (0.25, 6);
 
@@ -54,6 +58,8 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     let is_flower =
         |line: &Line| line.is_closed_and_solid() && line.size().max_element() < FLOWER * size.max_element();
     let (flowers, group): (Vec<usize>, Vec<usize>) = group.iter().partition(|i| is_flower(&page.lines[**i]));
+    let ribs = ribs(page, &group, size);
+    let group: Vec<usize> = group.into_iter().filter(|i| !ribs.contains(i)).collect();
     let lines: Vec<&Line> = group.iter().map(|i| &page.lines[*i]).collect();
     let is_grass = lines.iter().any(|line| is_row_of_teeth(line));
     if is_grass || evidence::has_blades(&lines, size) || is_rosette(&lines) {
@@ -71,6 +77,9 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     }
     let mut uses = page.with_what_is_inside(&group, &body.outline);
     uses.retain(|line| !flowers.contains(line));
+    uses.extend(ribs);
+    uses.sort_unstable();
+    uses.dedup();
     let is_tree = body.limbs.arms() > 0 && twigs.len() >= TWIGS.1;
     let (reading, habit) = match is_tree {
         true => (Reading::BareTree, Habit::Tree),
@@ -81,17 +90,36 @@ fn body(page: &Page, group: &[usize]) -> Option<Hypothesis> {
     Some(Hypothesis { uses, score, parts, solids: Vec::new(), reading, habit: Some(habit) })
 }
 
+/// Ribs: several long upright lines side by side in an outline that is open below, as a blade's veins are not.
+fn ribs(page: &Page, group: &[usize], size: Vec2) -> Vec<usize> {
+    let line = |i: &usize| &page.lines[*i];
+    let outline = group.iter().map(line).find(|outline| {
+        let (first, last) = outline.ends();
+        outline.size().y > RIBS.0 * size.y && (first.x - last.x).abs() > RIBS.1 * outline.size().x
+    });
+    let Some(outline) = outline else { return Vec::new() };
+    let ((low, high), over) = (outline.bounds, Vec2::splat(0.5 * RIBS.2 * outline.size().y));
+    let lowest = high.y - RIBS.2 * outline.size().y;
+    let is_rib = |i: &&usize| {
+        let (first, last) = line(i).ends();
+        let is_within =
+            (low - over).cmple(line(i).bounds.0).all() && line(i).bounds.1.cmple(high + over).all();
+        is_within
+            && line(i).openness > 0.8
+            && (first.y - last.y).abs() > RIBS.3 * line(i).length.max(outline.size().y)
+            && first.y.max(last.y) > lowest
+    };
+    let ribs: Vec<usize> = group.iter().filter(is_rib).copied().collect();
+    let mut feet: Vec<f32> = ribs.iter().map(|i| line(i).upward()[0].x).collect();
+    feet.sort_by(f32::total_cmp);
+    let are_apart = feet.windows(2).all(|pair| pair[1] - pair[0] > RIBS.4 * outline.size().x);
+    if ribs.len() > 1 && are_apart { ribs } else { Vec::new() }
+}
+
 /// The lines that leave a body as twigs do, each from the body outward.
 fn twigs(spines: &Spines, body: &Body) -> Vec<Vec<Vec2>> {
     let off = |p: Vec2| polyline::nearest(&body.outline, p).map_or(f32::INFINITY, |(gap, _)| gap);
-    let outward = |line: &Line| {
-        let (first, last) = line.ends();
-        let mut points = line.points.clone();
-        if off(first) > off(last) {
-            points.reverse();
-        }
-        points
-    };
+    let outward = |line: &Line| line.beginning_at(off);
     let twigs = spines.twigs(&body.outline, TWIGS.0 * body.limbs.half());
     let are_most = twigs.len() as f32 > TWIGS.2 * spines.count() as f32;
     twigs.into_iter().filter(|_| are_most).map(outward).collect()

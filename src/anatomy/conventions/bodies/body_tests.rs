@@ -320,3 +320,19 @@ fn boughs_by_their_outlines_with_twigs_are_a_bare_tree() {
     let saguaro = read(&[saguaro()]);
     assert_eq!(saguaro[0].reading, Reading::Cactus);
 }
+
+#[test]
+fn long_lines_side_by_side_in_a_column_that_is_open_below_are_its_ribs() {
+    let wide = line(&[
+        (-40.0, 90.0),
+        (-44.0, -60.0),
+        (-25.0, -100.0),
+        (0.0, -112.0),
+        (25.0, -100.0),
+        (44.0, -60.0),
+        (40.0, 90.0),
+    ]);
+    let rib = |x: f32| line(&[(x, 88.0), (1.1 * x, -20.0), (0.6 * x, -90.0)]);
+    let bodies = read(&[wide, rib(-24.0), rib(24.0)]);
+    assert_eq!(bodies.first().map(|body| body.uses.clone()), Some(vec![0, 1, 2]));
+}

@@ -31,10 +31,7 @@ const FAN: f32 = 0.2;
 
 /// Lines that cover the body, and its foot.
 pub(crate) fn closed(line: &Line, silhouette: &Silhouette) -> Option<(Vec<Vec<Vec2>>, Vec2)> {
-    let mut points = line.points.clone();
-    if points[0].y < points[points.len() - 1].y {
-        points.reverse();
-    }
+    let points = line.upward();
     let size = line.size();
     let (foot, end) = (points[0], points[points.len() - 1]);
     let is_unfinished =

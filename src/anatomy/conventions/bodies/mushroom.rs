@@ -25,6 +25,14 @@ const DOME: (f32, f32, f32) = (1.15, 0.08, 0.9);
 const BROAD: (f32, f32) = (0.25, 0.7);
 /// Where the rim of a cap is: least distance from its middle, as a share of its width, and most height above its foot.
 const RIM: (f32, f32) = (0.36, 0.6);
+/// Fewest caps that are looked at one by one, and most; how far below a cap its stalk begins at most and ends at least, as a share of the
+/// cap's height.
+const CAPS: (usize, usize) = (2, 24);
+const UNDER: f32 = 0.3;
+/// Widest line of a stalk, as a share of the cap's width: petals side by side are as wide as one another.
+const NARROWER: f32 = 0.7;
+/// Least length of a line that is both sides of a stalk, in diagonals of its bounds.
+const SIDES: f32 = 1.5;
 /// Fewest notches of a line that draws the lobes of a crown.
 const LOBES: usize = 4;
 /// Thinnest stalk, as a share of the cap's width.
@@ -49,7 +57,9 @@ const SCORE: (f32, f32, f32, f32) = (2.9, 1.0, 1.4, -0.3);
 pub(crate) fn propose(page: &Page, out: &mut Vec<Hypothesis>) {
     let stacked = stacked(page);
     let in_grass = in_grass(page);
-    let groups = page.groups.iter().chain(&page.wide_groups).chain(&stacked).chain(&in_grass);
+    let under_caps = under_caps(page);
+    let groups =
+        page.groups.iter().chain(&page.wide_groups).chain(&stacked).chain(&in_grass).chain(&under_caps);
     out.extend(groups.filter_map(|group| mushroom(page, group)));
 }
 
@@ -58,6 +68,38 @@ fn in_grass(page: &Page) -> Vec<Vec<usize>> {
     let rows: Vec<usize> =
         (0..page.lines.len()).filter(|i| !page.is_apart(*i) && is_row_of_teeth(&page.lines[*i])).collect();
     if rows.is_empty() { Vec::new() } else { page.groups_without(rows.into_iter()) }
+}
+
+/// Each of several caps with what stands under it: mushrooms that touch one another.
+fn under_caps(page: &Page) -> Vec<Vec<usize>> {
+    let is_cap = |i: &usize| {
+        let line = &page.lines[*i];
+        line.is_closed_and_solid() && line.size().x > WIDE.0 * line.size().y
+    };
+    let caps: Vec<usize> = (0..page.lines.len()).filter(|i| !page.is_apart(*i)).filter(is_cap).collect();
+    if !(CAPS.0..=CAPS.1).contains(&caps.len()) {
+        return Vec::new();
+    }
+    let under = |cap: usize| {
+        let ((low, high), size) = (page.lines[cap].bounds, page.lines[cap].size());
+        let stands = |i: &usize| {
+            let (from, to) = page.lines[*i].bounds;
+            let (width, height) = (to.x - from.x, to.y - from.y);
+            from.x > low.x
+                && to.x < high.x
+                && width < height.min(NARROWER * size.x)
+                && (low.y + 0.4 * size.y..high.y + UNDER * size.y).contains(&from.y)
+                && to.y > high.y + UNDER * size.y
+        };
+        let stalk = (0..page.lines.len()).filter(|i| *i != cap && !page.is_apart(*i)).filter(stands);
+        let mut all: Vec<usize> = stalk.chain([cap]).collect();
+        all.sort_unstable();
+        // A single line is a petal's stem.
+        let has_sides =
+            |i: &usize| *i != cap && page.lines[*i].length > SIDES * page.lines[*i].size().length();
+        (all.len() > 2 || all.iter().any(has_sides)).then_some(all)
+    };
+    caps.into_iter().filter_map(under).collect()
 }
 
 fn mushroom(page: &Page, group: &[usize]) -> Option<Hypothesis> {
@@ -311,5 +353,19 @@ mod tests {
         let mushrooms = read(&[&CAP, &STALK, &teeth, &cap, &stalk]);
         let uses: Vec<&[usize]> = mushrooms.iter().map(|mushroom| &mushroom.uses[..]).collect();
         assert_eq!(uses, [&[0, 1][..], &[3, 4][..]]);
+    }
+
+    #[test]
+    fn mushrooms_that_touch_one_another_are_read_one_by_one_and_petals_on_stems_are_none() {
+        let moved =
+            |places: &[(f32, f32)], by: f32| places.iter().map(|p| (p.0 + by, p.1)).collect::<Vec<_>>();
+        let closed: Vec<(f32, f32)> = CAP.iter().chain(&CAP[..1]).copied().collect();
+        let (left, right) = (moved(&closed, -50.0), moved(&closed, 50.0));
+        let (under_left, under_right) = (moved(&STALK, -50.0), moved(&STALK, 50.0));
+        let uses: Vec<Vec<usize>> =
+            read(&[&left, &under_left, &right, &under_right]).into_iter().map(|it| it.uses).collect();
+        assert!(uses.contains(&vec![0, 1]) && uses.contains(&vec![2, 3]), "{uses:?}");
+        let stem = |x: f32| vec![(x, -38.0), (x + 1.0, 20.0)];
+        assert!(read(&[&left, &stem(-50.0), &right, &stem(50.0)]).is_empty());
     }
 }

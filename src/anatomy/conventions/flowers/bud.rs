@@ -95,10 +95,7 @@ fn carrying<'a>(line: &'a Line, head: &Line) -> Option<Cow<'a, Line>> {
     if stem_top(line, head).is_some() {
         return Some(Cow::Borrowed(line));
     }
-    let mut points = line.points.clone();
-    if line.ends().0.y < line.ends().1.y {
-        points.reverse();
-    }
+    let mut points = line.upward();
     let edge = head.bounds.1.y + 0.05 * head.size().y;
     let below = points.iter().take_while(|p| p.y > edge).count();
     let (low, high) = (head.bounds.0 - BESIDE * head.size(), head.bounds.1 + BESIDE * head.size());

@@ -10,18 +10,21 @@
 //! petals are loops whose feet gather beside the round one, as in the papers, that is a petal like them, and all stay as they
 //! are.
 //!
+//! Further petals around these, ring by ring, belong to it ([`rings`](super::rings)).
+//!
 //! A crown with an apple in it has two sides of a trunk below and shallow notches far from the apple: that speaks against.
 //!
 //! Limits: a plain ring around a centre has no petals. A heap of more than [`MOST_LINES`] lines at one centre is not looked at.
 
+use super::around::{self, Around, OPEN, REACH};
+use super::rings;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
-use crate::anatomy::conventions::shapes::stem_tail;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::{polyline, simple_loop};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
-use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::f32::consts::{FRAC_PI_4, PI, TAU};
 
 /// Fewest petals of a corolla.
@@ -32,18 +35,11 @@ const MOST_LINES: usize = 64;
 const NARROWEST: f32 = 0.35;
 /// Share of the ellipse in its bounds that the hull of a centre fills: a square has 1.27, a leaf that lies askew about 0.5.
 const FILL: (f32, f32) = (0.7, 1.2);
-/// Largest opening of a round stroke.
-const OPEN: f32 = 0.35;
 /// Least area inside a round stroke, as a share of its hull; and how often a spiral winds.
 const SOLID: f32 = 0.8;
 const WOUND: f32 = 1.4;
 /// Most that a corolla's line winds around the centre, in turns: a scribble winds more.
 const ONCE: f32 = 1.3;
-/// How far from the middle a petal reaches, in half sizes of the centre, and where petals' lines come nearest to it.
-const REACH: (f32, f32) = (1.3, 6.0);
-const NEAREST: f32 = 2.2;
-/// The same for a petal in a stroke of its own that encloses so much of its hull: a small centre has long petals.
-const FAR: (f32, f32) = (9.0, 0.85);
 /// How far petals reach at least around a centre that is no disc: a scribble in a crown fills it.
 const SCRIBBLED: f32 = 2.0;
 /// Farthest middle of the feet of petals from where the round stroke begins and ends if that is one of them, in half sizes of it.
@@ -68,11 +64,6 @@ const ASKEW: usize = 3;
 const SIDE: (usize, f32, f32, f32) = (5, 0.85, 0.6 * TAU, 0.4);
 /// Least angle that petals fill if they go all around.
 const ALL_AROUND: f32 = 0.85 * TAU;
-/// Farthest end of an arc for one petal, as a share of its reach.
-const BACK: f32 = 0.7;
-/// Least area between a petal's arc and its chord, over the square of its length, if only one of its ends is near the centre, and greatest
-/// chord over its length.
-const BULGE: (f32, f32) = (0.05, 0.75);
 /// Distance within which ends of lines meet, as a share of the corolla's reach.
 const MEET: f32 = 0.15;
 /// How far a petal reaches at most, in reaches of the middle one: a stem goes farther.
@@ -86,22 +77,13 @@ const ROOT: f32 = 0.15;
 /// Farthest from the middle of the corolla that the centre stands, as a share of the corolla's half size.
 const OFF_CENTRE: f32 = 0.5;
 
-/// How far from the middle of a ring of lobes that is far around it a centre may be, as a share of the ring's size; least turns and
-/// lobes of that: a crown has apples in any place.
-const RING_OFF: f32 = 0.16;
-const RING_TURNS: f32 = 0.85;
-const RING_LOBES: usize = 5;
-
-/// How far below such a ring the sides of a trunk go, and where they begin, as shares of its height; width of both sides in one line, as a
-/// share of its width.
-const TRUNK: (f32, f32, f32) = (0.25, 0.08, 0.12);
-
-/// Least chord of a line through a corolla over its length, and how far its ends are from the centre, in reaches of the petals.
-const THROUGH: (f32, f32) = (0.85, 1.1);
-
 /// Fewest other corollas that make one doubtful, the parts of each and one, and least of the smaller centre in the larger.
 const LIKE: (usize, usize, f32) = (2, 6, 0.75);
 
+/// How far from the middle marks on petals go at most, in reaches of those.
+const MARK: f32 = 0.6;
+/// Log-odds of each petal of a further ring, and of each with marks: more than a leaf's.
+const RINGS: f32 = 2.4;
 /// Points of a centre's outline.
 const RING: usize = 90;
 
@@ -141,7 +123,7 @@ pub(crate) fn is_round(line: &Line) -> bool {
     let size = line.size();
     let fill = line.hull_area / (FRAC_PI_4 * size.x * size.y).max(f32::MIN_POSITIVE);
     let is_disc = line.openness < OPEN && line.solidity() > SOLID;
-    let is_wound = winding(&line.points, line.middle()) > WOUND * TAU;
+    let is_wound = lobes::winding(&line.points, line.middle()) > WOUND * TAU;
     size.min_element() >= NARROWEST * size.max_element()
         && (FILL.0..=FILL.1).contains(&fill)
         && (is_disc || is_wound)
@@ -161,21 +143,25 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let others = || near.iter().copied().filter(|i| *i != centre);
     let is_inside = |i: &usize| focus.reach(&page.lines[*i].points) < REACH.0 - 0.1;
-    let petal_lines: Vec<(usize, Around)> =
+    let mut petal_lines: Vec<(usize, Around)> =
         others().filter_map(|i| Some((i, Around::new(&page.lines[i], &focus)?))).collect();
+    let behind = others().filter(|i| around::is_behind(&page.lines[*i], &focus, &petal_lines));
+    let behind: Vec<(usize, Around)> =
+        behind.filter_map(|i| Some((i, Around::behind(&page.lines[i], &focus)?))).collect();
+    petal_lines.extend(behind);
     let chains = chains(petal_lines.iter().map(|(_, around)| &*around.line), &focus);
-    if chains.iter().any(|chain| winding(&chain.points, focus.place) > ONCE * TAU) {
+    if chains.iter().any(|chain| lobes::winding(&chain.points, focus.place) > ONCE * TAU) {
         return None;
     }
-    let is_loop = |chain: &&Chain| chain.is_closed && winding(&chain.points, focus.place) < PI;
+    let is_loop = |chain: &&Chain| chain.is_closed && lobes::winding(&chain.points, focus.place) < PI;
     let loops = chains.iter().filter(is_loop).count();
     let petals = petals(&chains, &focus);
-    if petal_lines.iter().any(|(_, around)| stands_on_trunk(page, &around.line, &focus)) {
+    if petal_lines.iter().any(|(_, around)| around::stands_on_trunk(page, &around.line, &focus)) {
         return None;
     }
     let reach = petals.iter().map(|stretch| focus.reach(stretch)).sum::<f32>() / petals.len().max(1) as f32;
     let is_petal = |i: &usize| petal_lines.iter().any(|(petal, _)| petal == i);
-    if others().filter(|i| !is_petal(i)).any(|i| goes_through(&page.lines[i], &focus, reach)) {
+    if others().filter(|i| !is_petal(i)).any(|i| around::goes_through(&page.lines[i], &focus, reach)) {
         return None;
     }
     if disc.openness >= OPEN && reach < SCRIBBLED {
@@ -192,12 +178,17 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     }
     let mut uses: Vec<usize> =
         others().filter(is_inside).chain(petal_lines.iter().map(|(i, _)| *i)).chain([centre]).collect();
+    let outer = rings::around(page, &focus, &petals, &uses);
+    uses.extend(outer.iter().map(|(line, _)| *line));
+    let (marks, marked) = marks(page, others().filter(|i| !uses.contains(i)), &petal_lines, (&focus, reach));
+    uses.extend(marks);
     uses.sort_unstable();
-    let score = score(page, near, &uses, &petals, &focus);
+    let score = score(page, near, &uses, &petals, &focus) + RINGS * (outer.len() + marked) as f32;
     let root = |stretch: &[Vec2]| {
         focus.place + ROOT * focus.half.min_element() * lobes::direction(stretch, focus.place)
     };
-    let parts = petals.iter().map(|stretch| Made::new(Tool::Petal, lobes::rooted(stretch, root(stretch))));
+    let stretches = petals.iter().chain(outer.iter().map(|(_, stretch)| stretch));
+    let parts = stretches.map(|stretch| Made::new(Tool::Petal, lobes::rooted(stretch, root(stretch))));
     let stems = petal_lines.into_iter().filter_map(|(_, around)| around.stem);
     let parts = parts.chain(stems.map(|stem| Made::new(Tool::Branch, stem)));
     let parts = parts.chain([Made::new(Tool::Auto, from_middle(&disc.hull, focus.place))]).collect();
@@ -211,83 +202,21 @@ fn corolla(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     })
 }
 
-/// A line around a centre, without the stem that is one stroke with it.
-struct Around<'a> {
-    line: Cow<'a, Line>,
-    stem: Option<Vec<Vec2>>,
-}
-
-impl<'a> Around<'a> {
-    fn new(line: &'a Line, focus: &Focus) -> Option<Self> {
-        let of_rest = stem_tail::cut(line).filter(|(_, rest)| is_around(rest, focus));
-        match of_rest {
-            Some((stem, rest)) => Some(Self { line: Cow::Owned(rest), stem: Some(stem) }),
-            None => is_around(line, focus).then_some(Self { line: Cow::Borrowed(line), stem: None }),
-        }
-    }
-}
-
-/// Whether a line comes near a centre and reaches out from there, with both ends near it, with notches, or around it.
-fn is_around(line: &Line, focus: &Focus) -> bool {
-    let reach = focus.reach(&line.points);
-    let nearest = line.points.iter().map(|p| focus.distance(*p)).fold(f32::INFINITY, f32::min);
-    let (first, last) = line.ends();
-    let is_left_open = focus.distance(first).min(focus.distance(last)) < NEAREST
-        && line.area > BULGE.0 * line.length * line.length
-        && first.distance(last) < BULGE.1 * line.length;
-    let comes_back = focus.distance(first).max(focus.distance(last)) < BACK * reach
-        || line.openness < OPEN
-        || is_left_open;
-    let has_notches =
-        || winding(&line.points, focus.place) > PI || lobes::cut(&line.points, focus, false).len() > 1;
-    let ends_there = focus.distance(first).max(focus.distance(last)) < NEAREST;
-    let is_petal = || {
-        line.solidity() > FAR.1 && (ends_there || is_left_open || line.openness < OPEN && nearest < REACH.0)
+/// Short lines in petals, near the centre, as a pansy's; and how many petals have some. A midrib goes farther.
+fn marks(
+    page: &Page,
+    others: impl Iterator<Item = usize>,
+    petals: &[(usize, Around)],
+    (focus, reach): (&Focus, f32),
+) -> (Vec<usize>, usize) {
+    let petal_around = |i: &usize| {
+        let line = &page.lines[*i];
+        let is_mark = focus.reach(&line.points) < MARK * reach && line.openness > OPEN;
+        petals.iter().position(|(_, petal)| petal.line.is_around(line)).filter(|_| is_mark)
     };
-    let farthest = if reach > REACH.1 && is_petal() { FAR.0 } else { REACH.1 };
-    (REACH.0..farthest).contains(&reach) && nearest < NEAREST && (comes_back || has_notches())
-        || (NEAREST..FAR.0).contains(&nearest) && reach < FAR.0 && is_ring(line, focus)
-}
-
-/// Whether a line is a ring of many lobes about a small centre in its middle.
-fn is_ring(line: &Line, focus: &Focus) -> bool {
-    let off = (line.middle() - focus.place).abs() / line.size();
-    line.openness < OPEN
-        && off.max_element() < RING_OFF
-        && winding(&line.points, focus.place) > RING_TURNS * TAU
-        && lobes::cut(&line.points, focus, true).len() >= RING_LOBES
-}
-
-/// Whether a line is nearly straight, passes a centre and goes on beyond the petals on either side: a twig with leaves has no corolla.
-fn goes_through(line: &Line, focus: &Focus, reach: f32) -> bool {
-    let (first, last) = line.ends();
-    let nearest = line.points.iter().map(|p| focus.distance(*p)).fold(f32::INFINITY, f32::min);
-    nearest < REACH.0
-        && first.distance(last) > THROUGH.0 * line.length
-        && focus.distance(first).min(focus.distance(last)) > THROUGH.1 * reach
-        && (first - focus.place).dot(last - focus.place) < 0.0
-}
-
-/// Whether a ring far around a centre has the two sides of a trunk below, or something as wide.
-fn stands_on_trunk(page: &Page, ring: &Line, focus: &Focus) -> bool {
-    if !is_ring(ring, focus) || ring.points.iter().any(|p| focus.distance(*p) < NEAREST) {
-        return false;
-    }
-    let ((_, foot), size) = (ring.bounds, ring.size());
-    let sides = |line: &Line| {
-        let hangs =
-            line.bounds.1.y > foot.y + TRUNK.0 * size.y && line.bounds.0.y < foot.y + TRUNK.1 * size.y;
-        let is_wide = line.size().x > TRUNK.2 * size.x && line.openness < 0.8;
-        usize::from(hangs) * if is_wide { 2 } else { 1 }
-    };
-    let grown = TRUNK.1 * size;
-    let below = page.lines_at(&[(ring.bounds.0, foot + grown)]);
-    below.iter().flatten().map(|i| sides(&page.lines[*i])).sum::<usize>() > 1
-}
-
-/// Angle that a line turns around a place, without sign.
-pub(crate) fn winding(points: &[Vec2], place: Vec2) -> f32 {
-    points.windows(2).map(|pair| (pair[0] - place).angle_to(pair[1] - place)).sum::<f32>().abs()
+    let found: Vec<(usize, usize)> = others.filter_map(|i| Some((i, petal_around(&i)?))).collect();
+    let marked: BTreeSet<usize> = found.iter().map(|(_, petal)| *petal).collect();
+    (found.into_iter().map(|(line, _)| line).collect(), marked.len())
 }
 
 /// Puts lines together whose ends meet, each with the nearest of the others, again and again.
@@ -309,7 +238,7 @@ fn chains<'a>(lines: impl Iterator<Item = &'a Line>, focus: &Focus) -> Vec<Chain
             chain = next;
         }
         let is_closed =
-            chain[0].distance(chain[chain.len() - 1]) < meets && winding(&chain, focus.place) > PI;
+            chain[0].distance(chain[chain.len() - 1]) < meets && lobes::winding(&chain, focus.place) > PI;
         out.push(Chain { points: chain, is_closed });
     }
     out
@@ -336,9 +265,9 @@ fn continuation(chain: &[Vec2], others: &[Vec<Vec2>], meets: f32) -> Option<(usi
 fn petals(chains: &[Chain], focus: &Focus) -> Vec<Vec<Vec2>> {
     let mut petals: Vec<Vec<Vec2>> = Vec::new();
     for Chain { points, is_closed } in chains {
-        let is_ring = *is_closed && winding(points, focus.place) > PI;
+        let is_ring = *is_closed && lobes::winding(points, focus.place) > PI;
         if *is_closed && !is_ring {
-            petals.push(from_nearest(points, focus));
+            petals.push(lobes::from_nearest(points, focus));
         } else {
             petals.extend(lobes::cut(points, focus, is_ring));
         }
@@ -351,15 +280,6 @@ fn petals(chains: &[Chain], focus: &Focus) -> Vec<Vec<Vec2>> {
     let middle = reaches.get(reaches.len() / 2).copied().unwrap_or(0.0);
     petals.retain(|stretch| focus.reach(stretch) < LONGEST * middle);
     petals
-}
-
-/// A loop that begins and ends where it is nearest to the centre.
-fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
-    let nearest =
-        (0..points.len()).min_by(|a, b| focus.distance(points[*a]).total_cmp(&focus.distance(points[*b])));
-    let mut around = points.to_vec();
-    around.rotate_left(nearest.unwrap_or(0));
-    around
 }
 
 /// Whether several loops begin and end where the round one does, which then is a petal like them.
@@ -386,7 +306,7 @@ fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
     let count = feet.len().max(1) as f32;
     let middle = feet.iter().sum::<Vec2>() / count;
     let spread = feet.iter().map(|foot| foot.distance(middle)).sum::<f32>() / count;
-    let gap = widest_gap(petals, focus.place);
+    let gap = lobes::widest_gap(petals, focus.place);
     let reach = petals.iter().map(|petal| focus.reach(petal)).sum::<f32>() / count;
     let (feet_off, loop_gap) = (FEET_OFF.0.max(FEET_OFF.1 * reach), LOOP_GAP.0.max(LOOP_GAP.1 / count));
     let is_all_around = middle.length() < feet_off && gap < loop_gap;
@@ -401,14 +321,6 @@ fn stand_around(petals: &[Vec<Vec2>], disc: &Line, focus: &Focus) -> bool {
         && (is_all_around || is_half)
         && !petals.iter().any(comes_in)
         && petals.iter().filter(|petal| is_askew(petal)).count() <= petals.len() / ASKEW
-}
-
-/// Widest angle between neighbouring petals' directions.
-pub(crate) fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
-    let mut angles: Vec<f32> = petals.iter().map(|petal| lobes::direction(petal, place).to_angle()).collect();
-    angles.sort_by(f32::total_cmp);
-    angles.extend(angles.first().map(|first| first + TAU));
-    angles.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max)
 }
 
 /// Whether a centre stands in the middle of its petals as far as they go around it, and is no dot among them.

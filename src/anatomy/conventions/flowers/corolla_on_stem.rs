@@ -11,7 +11,6 @@
 //!
 //! Limits: a crown with deep lobes on a long line is read as a flower, too: nothing tells them apart.
 
-use super::corolla::widest_gap;
 use super::cup;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
@@ -40,6 +39,9 @@ const WIGGLY: f32 = 9.0;
 const FULL: (f32, f32) = (0.5, 0.4);
 /// Longest line that may stand within, as a share of the outline's diagonal.
 const DOT: f32 = 0.3;
+/// Of the rim of a bowl: how near to the outline its ends are, as a share of its diagonal; how far apart, as a share of its width; how far it
+/// sags at least, as a share of its height; and its greatest length over what it spans and its height.
+const RIM: (f32, f32, f32, f32) = (0.06, 0.3, 0.1, 1.6);
 /// Distance from an outline within which loops begin and end that are petals around it, as a share of its diagonal.
 const FEET: f32 = 0.4;
 /// Distance within which a line in an outline begins at the stem, as a share of the outline's diagonal.
@@ -207,21 +209,33 @@ fn within(page: &Page, head: &Line, stems: &[&Line], others: &[usize]) -> Option
         let gap =
             |stem: &Line, p: Vec2| polyline::nearest(&stem.points, p).map_or(f32::INFINITY, |(gap, _)| gap);
         let is_at = |stem: &&Line| line.points.iter().any(|p| gap(stem, *p) < TWIG * diagonal);
-        line.length > DOT * diagonal || stems.iter().any(is_at)
+        line.length > DOT * diagonal && !is_rim(line, head) || stems.iter().any(is_at)
     };
     (!within.iter().any(is_twig)).then_some(within)
 }
 
+/// Whether a line sags between two places of the upper half of a head's outline: the rim of a bowl in front.
+fn is_rim(line: &Line, head: &Line) -> bool {
+    let (first, last) = line.ends();
+    let diagonal = head.size().length();
+    let is_at = |end: Vec2| {
+        let gap = polyline::nearest(&head.points, end).map_or(f32::INFINITY, |(gap, _)| gap);
+        end.y < head.middle().y && gap < RIM.0 * diagonal
+    };
+    let over = Vec2::splat(RIM.0 * diagonal);
+    let is_within =
+        line.bounds.0.cmpge(head.bounds.0 - over).all() && line.bounds.1.cmple(head.bounds.1).all();
+    is_within
+        && is_at(first)
+        && is_at(last)
+        && (first.x - last.x).abs() > RIM.1 * head.size().x
+        && line.bounds.1.y > first.y.max(last.y) + RIM.2 * head.size().y
+        && line.length < RIM.3 * (first.distance(last) + line.size().y)
+}
+
 /// A stem with two sides, its drawn width along it: narrow beside the head that it carries and long beside its width.
 fn two_sides(a: &Line, b: &Line, head: &Line) -> Option<Made> {
-    let down = |line: &Line| {
-        let mut points = even(&line.points, SIDE_POINTS);
-        if line.ends().0.y < line.ends().1.y {
-            points.reverse();
-        }
-        points
-    };
-    let (a, b) = (down(a), down(b));
+    let [a, b] = [a, b].map(|line| even(&line.upward(), SIDE_POINTS));
     let widths: Vec<f32> = a.iter().zip(&b).map(|(a, b)| a.distance(*b)).collect();
     let widest = widths.iter().copied().fold(f32::MIN_POSITIVE, f32::max);
     let length = polyline::length(&a).min(polyline::length(&b));
@@ -247,7 +261,7 @@ fn is_a_star(line: &Line, focus: &Focus, petals: &[Vec<Vec2>]) -> bool {
         && petals.len() >= STAR.0
         && mean(&|petal| lobes::depth(petal, focus)) < STAR.1
         && is_even(&|petal| simple_loop::area(&lobes::rooted(petal, focus.place)).sqrt())
-        && widest_gap(petals, focus.place) < widest
+        && lobes::widest_gap(petals, focus.place) < widest
 }
 
 /// The upper end of a line that carries an outline.

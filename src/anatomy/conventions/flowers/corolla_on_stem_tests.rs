@@ -138,3 +138,11 @@ fn a_plain_outline_on_a_stem_is_none() {
     let disc: Vec<Vec2> = (0..=60).map(|k| 40.0 * Vec2::from_angle(TAU * k as f32 / 60.0)).collect();
     assert!(read(&[disc, line(&[(0.0, 200.0), (0.0, 40.0)])]).is_empty());
 }
+
+#[test]
+fn the_rim_of_a_bowl_in_front_belongs_to_it_and_a_vein_speaks_against() {
+    let with = |inner: &[(f32, f32)]| read(&[line(&[(0.0, 200.0), (0.0, 61.0)]), tulip(), line(inner)]);
+    let rim = [(-38.0, -40.0), (-25.0, 0.0), (0.0, 12.0), (25.0, 0.0), (38.0, -40.0)];
+    assert_eq!(with(&rim).first().map(|flower| flower.uses.clone()), Some(vec![1, 2]));
+    assert!(with(&[(0.0, 50.0), (2.0, -35.0)]).is_empty());
+}

@@ -183,3 +183,39 @@ fn circles_of_which_any_may_be_the_centre_are_a_bunch_of_grapes_and_seven_are_a_
         [(0, 0), (0, 1), (0, -1), (1, 0), (1, -1), (-1, 0), (-1, 1)].map(|(row, place)| at(row, place));
     assert_eq!(read(&around).len(), 1);
 }
+
+/// The outline of a petal from the edge of a centre of radius 10 and back, as long as given, in a direction.
+fn petal(turn: f32, length: f32) -> Vec<Vec2> {
+    let place = |k: usize| {
+        let (along, across) = (k as f32 / 60.0, (0.5 * TAU * k as f32 / 60.0).sin());
+        let away = 12.0 + length * (0.5 * TAU * along).sin();
+        away * Vec2::from_angle(turn + 0.8 * across * (0.5 * TAU * along).cos())
+    };
+    (0..=60).map(place).collect()
+}
+
+#[test]
+fn long_petals_around_a_small_centre_with_marks_are_a_corolla_with_them() {
+    let mut drawing: Vec<Vec<Vec2>> = (0..5).map(|k| petal(TAU * k as f32 / 5.0, 92.0)).collect();
+    drawing.push(circle(10.0));
+    let plain = read(&drawing);
+    let mark = |k: usize| [16.0, 45.0].map(|away| away * Vec2::from_angle(TAU * k as f32 / 5.0)).to_vec();
+    drawing.extend((0..2).map(mark));
+    let marked = read(&drawing);
+    assert_eq!((plain[0].uses.len(), marked[0].uses.len()), (6, 8));
+    assert!(marked[0].score > plain[0].score + 4.0, "leaves with veins are no likelier");
+}
+
+#[test]
+fn an_arc_between_petals_is_a_petal_behind_them() {
+    let mut drawing: Vec<Vec<Vec2>> = (0..4).map(|k| petal(TAU * k as f32 / 5.0, 92.0)).collect();
+    drawing.push(circle(10.0));
+    let petals = |lines: &[Vec<Vec2>]| {
+        read(lines).first().map(|it| it.parts.iter().filter(|part| part.tool == Tool::Petal).count())
+    };
+    assert_ne!(petals(&drawing), Some(5));
+    let far = [(100.0, 0.72), (106.0, 0.8), (100.0, 0.88)];
+    let far = far.map(|(away, turn)| away * Vec2::from_angle(turn * TAU));
+    drawing.push([&drawing[3][15..16], &far, &drawing[0][45..46]].concat());
+    assert_eq!(petals(&drawing), Some(5));
+}

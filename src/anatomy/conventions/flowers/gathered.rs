@@ -12,7 +12,6 @@
 //! Limits: petals whose feet are as far apart as they are long are read where a disc stands between them
 //! ([`corolla`](super::corolla)) only.
 
-use super::corolla::widest_gap;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::shapes::loops::taken_apart;
@@ -260,7 +259,7 @@ fn are_a_flower(petals: &[Vec<Vec2>], place: Vec2, has_stem: bool) -> bool {
     let outer: Vec<Vec<Vec2>> = petals.iter().map(outer).collect();
     let single: f32 = outer.iter().map(|points| lobes::around(std::slice::from_ref(points), place)).sum();
     (fewest..=PETALS.2).contains(&petals.len())
-        && widest_gap(petals, place) < gap
+        && lobes::widest_gap(petals, place) < gap
         && least > EVEN * most
         && single < OVERLAP * lobes::around(&outer, place)
 }

@@ -10,7 +10,7 @@
 
 use super::corolla;
 use crate::anatomy::conventions::page::{Line, Page, even};
-use crate::anatomy::conventions::shapes::lobes::Focus;
+use crate::anatomy::conventions::shapes::lobes::{self, Focus};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::sketch::{Reading, Tool};
 use glam::Vec2;
@@ -68,10 +68,7 @@ struct Ray {
 
 impl Ray {
     fn new(number: usize, line: &Line, focus: &Focus) -> Option<Self> {
-        let mut points = line.points.clone();
-        if focus.distance(line.ends().0) > focus.distance(line.ends().1) {
-            points.reverse();
-        }
+        let points = line.beginning_at(|end| focus.distance(end));
         let (begin, end) = (points[0], points[points.len() - 1]);
         let run = end - begin;
         let outward = (begin.midpoint(end) - focus.place).normalize_or_zero();
@@ -104,7 +101,7 @@ fn flower(page: &Page, centre: usize, near: &[usize]) -> Option<Hypothesis> {
     rays.retain(|ray| (LENGTH.0 * middle..LENGTH.1 * middle).contains(&ray.length()));
     let is_of_size = (REACH.0..REACH.1).contains(&(middle / focus.half.max_element()));
     let tips: Vec<Vec<Vec2>> = rays.iter().map(|ray| vec![ray.tip()]).collect();
-    if rays.len() < FEWEST || !is_of_size || corolla::widest_gap(&tips, focus.place) > GAP {
+    if rays.len() < FEWEST || !is_of_size || lobes::widest_gap(&tips, focus.place) > GAP {
         return None;
     }
     let is_inside = |i: &usize| focus.reach(&page.lines[*i].points) < 1.0;
@@ -133,13 +130,9 @@ fn is_on_stem(page: &Page, place: Vec2, radius: f32) -> bool {
     let margin = Vec2::splat(STEM.0 * radius);
     let near = page.lines_at(&[(place - margin, place + margin)]);
     near.iter().flatten().any(|i| {
-        let points = &page.lines[*i].points;
-        let (first, last) = page.lines[*i].ends();
-        let inner = points.len() / STEM_END;
-        let (top, before, foot) = match first.y < last.y {
-            true => (first, points[inner], last),
-            false => (last, points[points.len() - 1 - inner], first),
-        };
+        let way = page.lines[*i].upward();
+        let last = way.len() - 1;
+        let (foot, before, top) = (way[0], way[last - way.len() / STEM_END], way[last]);
         let leads = (top - before).normalize_or_zero().dot((place - top).normalize_or_zero());
         (0.5 * radius..STEM.0 * radius).contains(&top.distance(place))
             && foot.y > place.y + STEM.1 * radius

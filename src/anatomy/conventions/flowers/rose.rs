@@ -25,9 +25,12 @@ const TURNS: f32 = 1.6;
 const ONE_WAY: f32 = 0.85;
 /// Farthest that a spiral's beginning is from its inner end, on the average, as a share of its end's.
 const OUTWARD: f32 = 0.6;
-/// Fewest arcs in a disc, and how much each turns at least, radians.
+/// Fewest arcs in a disc, and how much each turns at least, radians; the same of edges beside them.
 const ARCS: usize = 2;
 const BENDS: f32 = 0.9;
+const EDGE: f32 = 0.45;
+/// How far edges reach beyond the head that they lie in at most, as a share of its size.
+const OVER: f32 = 0.04;
 /// Arcs around a spiral: nearest and farthest from its middle, in its radii, most of the farthest point over the nearest, and least angle
 /// about the middle, radians.
 const AROUND: (f32, f32, f32, f32) = (0.9, 3.2, 1.9, 0.8);
@@ -85,10 +88,7 @@ fn of_several(page: &Page, group: &[usize], stem: usize) -> Option<Hypothesis> {
     if line.openness < 0.6 {
         return None;
     }
-    let mut way = line.points.clone();
-    if way[0].y < way[way.len() - 1].y {
-        way.reverse();
-    }
+    let way = line.upward();
     let top = way[way.len() - 1];
     // Leaves and thorns along the stem are no part of its head.
     let lower = &way[..((LOWER * way.len() as f32) as usize).max(1)];
@@ -147,13 +147,13 @@ fn rose(page: &Page, number: usize, near: &[usize]) -> Option<Hypothesis> {
     let (stems, within): (Vec<usize>, Vec<usize>) =
         others.iter().partition(|i| edges().any(|edge| stem_top(&page.lines[**i], edge).is_some()));
     let is_inside = |i: &usize| {
-        let line = &page.lines[*i];
-        line.bounds.0.cmpge(low).all() && line.bounds.1.cmple(high).all()
+        let (line, over) = (&page.lines[*i], OVER * (high - low));
+        line.bounds.0.cmpge(low - over).all() && line.bounds.1.cmple(high + over).all()
     };
-    let is_edge = |i: &usize| turning(&page.lines[*i].points).1 > BENDS;
+    let bends = |i: &usize| turning(&page.lines[*i].points).1;
     let has_stem = stems.len() == 1 || are_sides(page, &stems, head);
-    let is_alone = has_stem && within.iter().all(|i| is_inside(i) && is_edge(i));
-    let is_rose = is_wound || within.len() >= ARCS;
+    let is_alone = has_stem && within.iter().all(|i| is_inside(i) && bends(i) > EDGE);
+    let is_rose = is_wound || within.iter().filter(|i| bends(i) > BENDS).count() >= ARCS;
     if !is_alone || !is_rose {
         return None;
     }
@@ -298,6 +298,9 @@ mod tests {
     fn arcs_in_a_disc_are_a_rose_but_veins_are_none() {
         let disc = wound(1.0, 50.0, 50.0);
         assert_eq!(read(&[disc.clone(), stem(), arc(-10.0, -18.0), arc(5.0, 20.0)])[0].uses, [0, 2, 3]);
+        let edge = [(-40.0, 5.0), (-32.0, 20.0), (-15.0, 30.0)].map(Vec2::from).to_vec();
+        let arcs = [arc(-10.0, -18.0), arc(5.0, 20.0)];
+        assert_eq!(read(&[vec![disc.clone(), stem(), edge], arcs.to_vec()].concat())[0].uses, [0, 2, 3, 4]);
         let midrib = vec![Vec2::new(0.0, 48.0), Vec2::new(0.0, -40.0)];
         let vein = vec![Vec2::new(0.0, 20.0), Vec2::new(25.0, -10.0)];
         assert!(read(&[disc.clone(), stem(), midrib, vein]).is_empty());

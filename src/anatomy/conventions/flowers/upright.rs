@@ -7,8 +7,8 @@
 //! Limits: heads that touch one another share their lines by what is nearest. Cost: stems times lines, by their bounds; nothing of
 //! more than [`MOST_LINES`] lines.
 
-use super::corolla::winding;
 use crate::anatomy::conventions::page::{Line, Page, even, tips};
+use crate::anatomy::conventions::shapes::lobes::winding;
 use crate::geom::polyline;
 use glam::Vec2;
 use std::borrow::Cow;
@@ -70,10 +70,7 @@ pub(crate) struct Stem<'a> {
 impl<'a> Stem<'a> {
     fn new(page: &'a Page, number: usize) -> Option<Self> {
         let line = &page.lines[number];
-        let mut points = line.points.clone();
-        if line.ends().0.y < line.ends().1.y {
-            points.reverse();
-        }
+        let points = line.upward();
         let (foot, top) = (points[0], points[points.len() - 1]);
         let run = foot - top;
         let stem = if run.length() > STRAIGHT * line.length && run.y > UPRIGHT * run.x.abs() {

@@ -61,11 +61,7 @@ impl Side {
         let way = (last - first).abs();
         let is_one =
             line.length > LONG * page.diagonal && way.length() > CHORD * line.length && way.y > STEEP * way.x;
-        let mut points = even(&line.points, POINTS);
-        if first.y < last.y {
-            points.reverse();
-        }
-        is_one.then_some(Self { number, points, length: line.length })
+        is_one.then(|| Self { number, points: even(&line.upward(), POINTS), length: line.length })
     }
 }
 

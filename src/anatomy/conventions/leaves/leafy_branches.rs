@@ -98,11 +98,7 @@ struct Branch {
 impl Branch {
     fn new(page: &Page, number: usize) -> Self {
         let line = &page.lines[number];
-        let mut way = line.points.clone();
-        if way[0].y < way[way.len() - 1].y {
-            way.reverse();
-        }
-        Self { number, way, length: line.length }
+        Self { number, way: line.upward(), length: line.length }
     }
 
     fn gap(&self, place: Vec2) -> f32 {

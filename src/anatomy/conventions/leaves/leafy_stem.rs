@@ -85,10 +85,7 @@ fn of_line(page: &Page, (number, whole): (usize, f32), near: &[usize]) -> Option
     }
     let explain = |lines: &[usize]| length(page, lines) >= EXPLAINED * whole;
     let twig = &page.lines[number];
-    let mut way = twig.points.clone();
-    if way[0].y < way[way.len() - 1].y {
-        way.reverse();
-    }
+    let way = twig.upward();
     let mut leaves: Vec<Leaf> = near
         .iter()
         .filter(|i| **i != number)

@@ -191,10 +191,7 @@ fn along(line: &Line, stem: &Line) -> f32 {
 
 fn leaf(page: &Page, arc: usize) -> Hypothesis {
     let line = &page.lines[arc];
-    let mut points = line.points.clone();
-    if points[0].y < points[points.len() - 1].y {
-        points.reverse();
-    }
+    let mut points = line.upward();
     points.push(points[0]);
     Hypothesis {
         uses: vec![arc],

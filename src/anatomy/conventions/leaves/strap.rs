@@ -77,11 +77,7 @@ impl Edge {
         let line: &Line = &page.lines[number];
         let (first, last) = line.ends();
         let is_one = line.length > LONG * page.diagonal && first.distance(last) > CHORD * line.length;
-        let mut points = line.points.clone();
-        if first.y < last.y {
-            points.reverse();
-        }
-        is_one.then_some(Self { number, points })
+        is_one.then(|| Self { number, points: line.upward() })
     }
 
     fn foot(&self) -> Vec2 {

@@ -180,6 +180,28 @@ pub(crate) fn around(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
     is_filled.iter().filter(|filled| **filled).count() as f32 * TAU / SECTORS as f32
 }
 
+/// A loop that begins and ends where it is nearest to the centre.
+pub(crate) fn from_nearest(points: &[Vec2], focus: &Focus) -> Vec<Vec2> {
+    let nearest =
+        (0..points.len()).min_by(|a, b| focus.distance(points[*a]).total_cmp(&focus.distance(points[*b])));
+    let mut around = points.to_vec();
+    around.rotate_left(nearest.unwrap_or(0));
+    around
+}
+
+/// Widest angle between neighbouring petals' directions.
+pub(crate) fn widest_gap(petals: &[Vec<Vec2>], place: Vec2) -> f32 {
+    let mut angles: Vec<f32> = petals.iter().map(|petal| direction(petal, place).to_angle()).collect();
+    angles.sort_by(f32::total_cmp);
+    angles.extend(angles.first().map(|first| first + TAU));
+    angles.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f32::max)
+}
+
+/// Angle that a line turns around a place, without sign.
+pub(crate) fn winding(points: &[Vec2], place: Vec2) -> f32 {
+    points.windows(2).map(|pair| (pair[0] - place).angle_to(pair[1] - place)).sum::<f32>().abs()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

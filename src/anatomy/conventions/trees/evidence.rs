@@ -88,12 +88,30 @@ pub(crate) fn without_balls<'a>(lines: &[&'a Line]) -> Vec<&'a Line> {
 /// a share of the whole's bounds.
 const AT_FOOT: (f32, usize, f32) = (0.55, 2, 0.01);
 
+/// Of a blade that bends: most gap of its outline, least share of its hull that it fills, how far from the lowest and highest place of the
+/// whole its foot and tip are at most and at least, and how far outward it leans at least, as shares of the whole's height and width.
+const BLADE: (f32, f32, f32, f32) = (0.15, 0.25, 0.12, 0.1);
+
 /// Whether outlines of leaves stand at the foot of a stem: the sides of a trunk are no closed outlines.
 pub(crate) fn has_leaves_at_foot(lines: &[&Line], (low, high): (Vec2, Vec2)) -> bool {
     let size = high - low;
+    let middle = low.midpoint(high).x;
+    // A blade rises from the foot outward.
+    let is_blade = |line: &Line| {
+        let (foot, tip) = (line.bounds.1.y, line.bounds.0.y);
+        let at = |height: f32| {
+            let mut ends = line.points.iter().filter(|p| p.y == height);
+            ends.next().map_or(0.0, |p| (p.x - middle).abs())
+        };
+        line.openness < BLADE.0
+            && line.area > BLADE.1 * line.hull_area
+            && foot > high.y - BLADE.2 * size.y
+            && tip > low.y + BLADE.2 * size.y
+            && at(tip) > at(foot) + BLADE.3 * size.x
+    };
+    let is_low = |line: &Line| line.is_closed_and_solid() && line.bounds.0.y > high.y - AT_FOOT.0 * size.y;
     let is_leaf = |line: &&&Line| {
-        line.is_closed_and_solid()
-            && line.bounds.0.y > high.y - AT_FOOT.0 * size.y
+        (is_low(line) || is_blade(line))
             && line.area > AT_FOOT.2 * size.x * size.y
             && line.size().x < 0.6 * size.x
     };

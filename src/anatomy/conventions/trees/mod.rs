@@ -5,6 +5,7 @@
 //! | `tree` | a trunk of two sides with a crown, in any number of strokes |
 //! | `tree_on_line` | a crown on a trunk that is a single line |
 //! | `poplar_row` | slender crowns on short lines, side by side |
+//! | `cloud_pads` | several clouds of foliage on one trunk |
 //! | `bare` | a bare tree: boughs and twigs of single lines |
 //! | `conifer` | a fir: what narrows to a point in steps |
 //! | `bush` | a crown without a trunk: outline, open outline, scribble |
@@ -20,6 +21,7 @@
 
 pub(crate) mod bare;
 pub(crate) mod bush;
+pub(crate) mod cloud_pads;
 pub(crate) mod conifer;
 pub(crate) mod evidence;
 pub(crate) mod half_crown;

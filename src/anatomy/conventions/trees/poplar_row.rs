@@ -81,10 +81,7 @@ fn are_in_a_row(page: &Page, trees: &[(usize, usize)]) -> bool {
 
 fn tree(page: &Page, crown: usize, trunk: usize) -> Hypothesis {
     let (outline, line) = (&page.lines[crown], &page.lines[trunk]);
-    let mut points: Vec<Vec2> = line.points.clone();
-    if points[0].y < points[points.len() - 1].y {
-        points.reverse();
-    }
+    let mut points = line.upward();
     points.push(Vec2::new(outline.middle().x, outline.bounds.0.y + 0.3 * outline.size().y));
     let mut trunk_line = Made::new(Tool::Branch, points);
     trunk_line.half_width = Some(HALF * outline.size().x);

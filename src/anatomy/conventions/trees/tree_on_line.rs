@@ -111,11 +111,7 @@ fn parted<'a>(page: &'a Page, group: &[usize], lowest: f32) -> Option<(Vec<Vec2>
     let (begin, end) = line.ends();
     let run = end - begin;
     if run.length() > STRAIGHT * line.length && run.x.abs() < LEAN * run.y.abs() {
-        let mut points = line.points.clone();
-        if end.y > begin.y {
-            points.reverse();
-        }
-        return Some((points, others.collect()));
+        return Some((line.upward(), others.collect()));
     }
     let (stem, rest) = stem_tail::cut(line).or_else(|| doubled(line))?;
     Some((stem, others.chain([Cow::Owned(rest)]).collect()))
