@@ -216,6 +216,6 @@ fn an_arc_between_petals_is_a_petal_behind_them() {
     assert_ne!(petals(&drawing), Some(5));
     let far = [(100.0, 0.72), (106.0, 0.8), (100.0, 0.88)];
     let far = far.map(|(away, turn)| away * Vec2::from_angle(turn * TAU));
-    drawing.push([&drawing[3][15..16], &far, &drawing[0][45..46]].concat());
+    drawing.push([&drawing[3][6..7], &far, &drawing[0][54..55]].concat());
     assert_eq!(petals(&drawing), Some(5));
 }
