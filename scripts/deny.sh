@@ -10,7 +10,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/.."
 TIME=${DENY_SECONDS:-600}
-LATE=2400
+LATE=2100
 
 tools=${XDG_CACHE_HOME:-$HOME/.cache}/penstemon/tools
 export PATH="$tools/bin:$PATH"

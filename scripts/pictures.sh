@@ -60,6 +60,16 @@ done
 python3 scripts/sheet.py 5 docs/images/grown.png "$grown"/*.png
 rm -rf "$grown"
 
+# What light from one side, wind and years do to trees.
+places=$(mktemp -d)
+old() { "$program" grow "$1" --age "$2" --seed 3 --size 360x360 -o "$places/$1.png" "${@:3}"; }
+old oak 18 --set habit.light.slant=1 --set habit.light.side=180
+old birch 18 --set habit.wind=0.2
+old pine 18 --set habit.wind=0.15
+old spruce 30
+python3 scripts/sheet.py 4 docs/images/places.png "$places"/{oak,birch,pine,spruce}.png
+rm -rf "$places"
+
 # One oak with all its triangles, and with as many as were asked for.
 triangles=$(mktemp -d)
 for count in 0 80000 25000; do

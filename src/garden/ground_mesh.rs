@@ -54,14 +54,25 @@ pub fn read(path: &Path, area: &Area) -> Result<(GreyMap, [f32; 2]), GroundMeshE
     let (meshes, _) = obj_text::read(&bytes)
         .map_err(|Fault { line, reason }| GroundMeshError::Line { line, reason: quote::message(&reason) })?;
     let mut heights = Heights::over(area.bounds());
-    for mesh in &meshes {
-        let points = mesh.positions.as_chunks::<3>().0;
-        let point = |index: u32| points.get(index as usize).copied().map_or(Vec3::NAN, Vec3::from);
-        for corners in mesh.indices.as_chunks::<3>().0 {
-            heights.add(corners.map(point))?;
-        }
+    let triangles = || meshes.iter().flat_map(triangles_of);
+    let looks: u64 = triangles().filter_map(|triangle| heights.cells_in(&triangle)).map(count).sum();
+    if looks > MOST_LOOKS {
+        return Err(GroundMeshError::Crowded);
     }
+    triangles().for_each(|triangle| heights.add(triangle));
     heights.map(area)
+}
+
+/// The triangles of a mesh of a file; a corner that does not exist is nowhere.
+fn triangles_of(mesh: &tobj::Mesh) -> impl Iterator<Item = [Vec3; 3]> {
+    let points = mesh.positions.as_chunks::<3>().0;
+    let point = |index: u32| points.get(index as usize).copied().map_or(Vec3::NAN, Vec3::from);
+    mesh.indices.as_chunks::<3>().0.iter().map(move |corners| corners.map(point))
+}
+
+/// How many cells lie from one to another.
+fn count([first, last]: [UVec2; 2]) -> u64 {
+    u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1)
 }
 
 /// Heights on a grid, −∞ where nothing is.
@@ -70,7 +81,6 @@ struct Heights {
     cell: Vec2,
     size: UVec2,
     values: Vec<f32>,
-    looks: u64,
 }
 
 impl Heights {
@@ -78,7 +88,7 @@ impl Heights {
         let extent = high - low;
         let size = (extent / extent.max_element() * CELLS).ceil().max(Vec2::ONE).as_uvec2();
         let values = vec![f32::NEG_INFINITY; (size.x * size.y) as usize];
-        Self { low, cell: extent / size.as_vec2(), size, values, looks: 0 }
+        Self { low, cell: extent / size.as_vec2(), size, values }
     }
 
     /// The middle of a cell.
@@ -86,21 +96,20 @@ impl Heights {
         self.low + self.cell * (cell.as_vec2() + 0.5)
     }
 
-    fn add(&mut self, triangle: [Vec3; 3]) -> Result<(), GroundMeshError> {
+    /// First and last cell of the box of a triangle, along both axes; none where it lies beside all of them or is none.
+    fn cells_in(&self, triangle: &[Vec3; 3]) -> Option<[UVec2; 2]> {
         let [a, b, c] = triangle.map(|p| Vec2::new(p.x, p.z));
-        let area = (b - a).perp_dot(c - a);
-        let is_sound = area.abs() > 0.0 && triangle.iter().all(|p| p.is_finite());
+        let is_sound = (b - a).perp_dot(c - a).abs() > 0.0 && triangle.iter().all(|p| p.is_finite());
         let cell = |p: Vec2| ((p - self.low) / self.cell - 0.5).clamp(Vec2::splat(-1.0), self.size.as_vec2());
         let (first, last) = (cell(a.min(b).min(c)).ceil(), cell(a.max(b).max(c)).floor());
         let (first, last) = (first.max(Vec2::ZERO), last.min(self.size.as_vec2() - 1.0));
-        if !is_sound || first.cmpgt(last).any() {
-            return Ok(());
-        }
-        let (first, last) = (first.as_uvec2(), last.as_uvec2());
-        self.looks += u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1);
-        if self.looks > MOST_LOOKS {
-            return Err(GroundMeshError::Crowded);
-        }
+        (is_sound && first.cmple(last).all()).then(|| [first.as_uvec2(), last.as_uvec2()])
+    }
+
+    fn add(&mut self, triangle: [Vec3; 3]) {
+        let Some([first, last]) = self.cells_in(&triangle) else { return };
+        let [a, b, c] = triangle.map(|p| Vec2::new(p.x, p.z));
+        let area = (b - a).perp_dot(c - a);
         for z in first.y..=last.y {
             for x in first.x..=last.x {
                 let p = self.middle(UVec2::new(x, z));
@@ -113,7 +122,6 @@ impl Heights {
                 }
             }
         }
-        Ok(())
     }
 
     /// All heights as shares of their range.

@@ -254,3 +254,35 @@ fn the_age_slider_is_smooth() {
         assert!(most.new_wood < 0.05 && most.new_leaf < 0.1, "{name}: {most:?}");
     }
 }
+
+#[test]
+fn dead_limbs_bear_nothing_and_fall_bit_by_bit() {
+    let habit =
+        |dead_years| Habit { internode: 0.3, shed: 0.15.into(), tip: 0.008, dead_years, ..Habit::default() };
+    let (simulation, gone_at_once) = (grown(&habit(1.0), 14), grown(&habit(0.0), 14));
+    let tree = simulation.tree();
+    assert_eq!(
+        tree.nodes,
+        gone_at_once.tree().nodes,
+        "the dead take no light and no room while the plant grows"
+    );
+    let stands = |wood: &WoodAtAge, i: usize| wood.chains.of_node.get(i).is_some_and(|chain| *chain != NONE);
+    let mut before = wood_at_age(&simulation, tree, 4.0);
+    let (mut dead, mut fell) = (0, 0);
+    for year in 5..=14u16 {
+        let now = wood_at_age(&simulation, tree, f32::from(year));
+        for i in 0..tree.len() {
+            dead += usize::from(stands(&now, i) && !tree.lives(i, year));
+            if stands(&before, i) && !stands(&now, i) && tree.nodes.died[i] == year {
+                fell += 1;
+                assert!(now.diameters[i] < 0.01, "year {year}: {} m fell at once", now.diameters[i]);
+            }
+        }
+        before = now;
+    }
+    assert!(dead > 50 && fell > 50, "{dead} {fell}");
+    let [one, other] = [&simulation, &gone_at_once].map(|it| Shown::new(it, 14.0));
+    assert!(one.branches.len() > other.branches.len(), "dead branches are there");
+    let same = one.blades.iter().filter(|blade| other.blades.contains(blade)).count();
+    assert!(one.blades.len() - same < other.blades.len() / 30, "{same} of {}", one.blades.len());
+}

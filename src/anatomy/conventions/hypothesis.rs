@@ -41,6 +41,17 @@ impl Made {
     pub fn new(tool: Tool, points: impl IntoIterator<Item = Vec2>) -> Self {
         Self { tool, points: points.into_iter().map(StrokePoint::at).collect(), half_width: None }
     }
+
+    /// A branch as thick as drawn: its middle and half widths along it, from its root, pixels.
+    pub fn thick(rows: impl IntoIterator<Item = (Vec2, f32)>) -> Self {
+        let rows: Vec<(Vec2, f32)> = rows.into_iter().collect();
+        let widest = rows.iter().map(|row| row.1).fold(f32::MIN_POSITIVE, f32::max);
+        let points = rows
+            .into_iter()
+            .map(|(middle, half)| StrokePoint { pressure: half / widest, ..StrokePoint::at(middle) })
+            .collect();
+        Self { tool: Tool::Branch, points, half_width: Some(widest) }
+    }
 }
 
 /// What a body of revolution is.

@@ -205,7 +205,7 @@ mod tests {
         let side = add(back, vec3(0.5, 2.8, 0.3), true);
         let diameters: Vec<f32> = (0..tree.len()).map(|n| if n <= 12 { 0.1 } else { 0.03 }).collect();
         let mut at = tree.nodes.at.clone();
-        let mut chains = chains::chains(&tree, &chains::living(&tree, 1), &at, &diameters);
+        let mut chains = chains::chains(&tree, &chains::life(&tree, 1, |_| 0.0), &at, &diameters);
         bend(&tree, &mut chains, &mut at, &diameters, &|_, _| false);
         let moved = |n: u32| at[n as usize] - tree.nodes.at[n as usize];
         assert!(trunk.iter().chain([&out]).all(|n| moved(*n) == Vec3::ZERO), "what is thick or far stays");

@@ -56,7 +56,7 @@ fn sites(wood: &Wood<'_>, habit: &Habit) -> Vec<Site> {
     let flowers = |b: &usize| of.fate[*b] == Fate::Flower && years.contains(&of.settled[*b]);
     let site = |bud: usize| {
         let node = of.node[bud] as usize;
-        let chain = *wood.chains.of_node.get(node).filter(|_| node >= wood.first)?;
+        let chain = *wood.chains.of_node.get(node).filter(|_| node >= wood.first && wood.lives(node))?;
         let since = wood.age - f32::from(of.settled[bud]) + 1.0;
         (chain != NONE).then(|| Site { bud, chain, grown: since.clamp(0.05, wood.grown[node].max(0.05)) })
     };

@@ -71,6 +71,11 @@ pub struct Wood<'a> {
 }
 
 impl Wood<'_> {
+    /// Whether the wood below a node lives; what does not bears nothing.
+    pub(super) fn lives(&self, node: usize) -> bool {
+        self.tree.lives(node, self.age.ceil() as u16)
+    }
+
     /// What the leaf or bud `k` of a node is known by.
     pub(super) fn origin(&self, of: Choice, (node, k): (usize, u32)) -> Origin {
         let name = |names: &[u64]| Origin::Grown(GrownId(mix(of.key(names[node]), u64::from(k))));
@@ -141,7 +146,8 @@ fn count_of(wood: &Wood<'_>, habit: &LeafHabit, (i, from_end): (usize, u8)) -> u
     let leafy = years_of(wood, i) <= habit.years || from_end < SHORT;
     let young = leafy && wood.diameters[i] <= wood.tip * habit.thickest;
     let at_tip = if from_end == 0 { habit.at_tip } else { 0 };
-    if young && i >= wood.first && wood.chains.of_node[i] != NONE { habit.per_internode + at_tip } else { 0 }
+    let bears = i >= wood.first && wood.chains.of_node[i] != NONE && wood.lives(i);
+    if young && bears { habit.per_internode + at_tip } else { 0 }
 }
 
 /// The leaves of the internode below one node, less those for which a volume has no room.
@@ -161,12 +167,13 @@ fn leaves_of<'a>(
     })
 }
 
-/// How many nodes stand between each node and the end of its chain, up to 255.
+/// How many nodes that live stand between each of them and the end of its chain, up to 255.
 fn from_end(wood: &Wood<'_>) -> Vec<u8> {
     let mut out = vec![u8::MAX; wood.chains.of_node.len()];
     for chain in &wood.chains.chains {
         let nodes = &wood.chains.nodes[chain.range.0 as usize + 1..chain.range.1 as usize];
-        for (k, &node) in nodes.iter().rev().enumerate() {
+        let living = nodes.iter().rev().filter(|node| wood.lives(**node as usize));
+        for (k, &node) in living.enumerate() {
             out[node as usize] = k.min(255) as u8;
         }
     }

@@ -26,7 +26,7 @@ impl Grown {
         let tree = simulation.tree();
         let diameters = diameter::diameters(tree, simulation.habit(), AGE);
         let at = tree.nodes.at.clone();
-        let chains = chains::chains(tree, &chains::living(tree, AGE as u16), &at, &diameters);
+        let chains = chains::chains(tree, &chains::life(tree, AGE as u16, |_| 0.0), &at, &diameters);
         let grown = vec![1.0; tree.len()];
         Self { chains, at, diameters, grown, simulation }
     }

@@ -59,7 +59,7 @@ impl<'a> Wood<'a> {
     }
 
     /// Nodes that are shown.
-    pub(super) fn living(&self) -> impl Iterator<Item = u32> + use<'a> {
+    pub(super) fn shown(&self) -> impl Iterator<Item = u32> + use<'a> {
         let of_node = &self.chains.of_node;
         (0..of_node.len() as u32).filter(|node| of_node[*node as usize] != NONE)
     }

@@ -6,7 +6,7 @@
 //!
 //! Drawn wood, limbs that make the crown and the feet of trunks are never cut.
 
-use super::chains::{Chains, chains};
+use super::chains::{Chains, Life, chains};
 use super::insertion;
 use super::rubbing;
 use crate::growth::tree::{NONE, Tree};
@@ -20,11 +20,11 @@ const TWIG: f32 = 2.5;
 /// How often what is left is looked at again: what is cut makes room, but chains that go on elsewhere want some.
 const ROUNDS: usize = 2;
 
-/// The wood that lives and whose nodes stand at these places, pruned; and the places where it then stands. `lives` is as
+/// The wood that is there and whose nodes stand at these places, pruned; and the places where it then stands. `life` is as
 /// for [`chains`].
 pub(super) fn pruned(
     tree: &Tree,
-    mut lives: Vec<bool>,
+    mut life: Vec<Life>,
     places: &[Vec3],
     diameters: &[f32],
     pipe: f32,
@@ -36,37 +36,39 @@ pub(super) fn pruned(
         is_drawn || diameters[node] > spared || stands_on_foot(tree, node)
     };
     for _ in 0..ROUNDS {
-        let (wood, at, crowded) = settled(tree, &lives, (places, diameters), stays);
+        let (wood, at, crowded) = settled(tree, &life, (places, diameters), stays);
         let mut cut: Vec<u32> = crowded.iter().map(|c| wood.first(*c)).filter(|node| !stays(*node)).collect();
         cut.extend(rubbing::cuts(&wood, tree, (&at, diameters), stays, &cut));
         if cut.is_empty() {
             return (wood, at);
         }
-        fell(tree, &mut lives, &cut);
+        fell(tree, &mut life, &cut);
     }
-    let (wood, at, _) = settled(tree, &lives, (places, diameters), |_| true);
+    let (wood, at, _) = settled(tree, &life, (places, diameters), |_| true);
     (wood, at)
 }
 
-/// The chains of what lives, the places of their nodes once each has found its stand, and the chains that found none.
+/// The chains of what is there, the places of their nodes once each has found its stand, and the chains that found none.
 fn settled(
     tree: &Tree,
-    lives: &[bool],
+    life: &[Life],
     (places, diameters): (&[Vec3], &[f32]),
     stays: impl Fn(u32) -> bool,
 ) -> (Chains, Vec<Vec3>, Vec<u32>) {
     let mut at = places.to_vec();
-    let mut wood = chains(tree, lives, &at, diameters);
+    let mut wood = chains(tree, life, &at, diameters);
     let crowded = insertion::settle(&mut wood, tree, &mut at, diameters, stays);
     (wood, at, crowded)
 }
 
-/// Ends the life of some nodes and of all that stands on them.
-fn fell(tree: &Tree, lives: &mut [bool], cut: &[u32]) {
-    cut.iter().for_each(|node| lives[*node as usize] = false);
-    for n in 0..lives.len() {
+/// Takes some nodes away with all that stands on them.
+fn fell(tree: &Tree, life: &mut [Life], cut: &[u32]) {
+    cut.iter().for_each(|node| life[*node as usize] = Life::Gone);
+    for n in 0..life.len() {
         let parent = tree.nodes.parent[n];
-        lives[n] &= parent == NONE || lives[parent as usize];
+        if parent != NONE && life[parent as usize] == Life::Gone {
+            life[n] = Life::Gone;
+        }
     }
 }
 
@@ -85,7 +87,7 @@ fn trunk_for_all(tree: &Tree, diameters: &[f32], pipe: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth::at_age::chains::living;
+    use crate::growth::at_age::chains::life;
     use crate::growth::tree::NewNode;
     use glam::vec3;
 
@@ -105,7 +107,7 @@ mod tests {
         let side = add(branch, vec3(1.0, 2.2, 0.2), true);
         let at = tree.nodes.at.clone();
         let diameters: Vec<f32> = (0..tree.len()).map(|n| if n <= 10 { 0.15 } else { 0.03 }).collect();
-        let (wood, placed) = pruned(&tree, living(&tree, 1), &at, &diameters, 2.3);
+        let (wood, placed) = pruned(&tree, life(&tree, 1, |_| 0.0), &at, &diameters, 2.3);
         assert_eq!(wood.nodes[11..], [trunk[6], branch, side], "{:?}", wood.chains);
         assert!(wood.of_node[into_trunk as usize] == NONE && wood.of_node[beyond as usize] == NONE);
         assert_eq!(placed, at, "there was room for all");

@@ -48,7 +48,7 @@ pub(super) fn cuts(
 
 /// Nodes whose internodes overlap, the one that stays first.
 fn pairs(wood: &Wood<'_>, diameters: &[f32], stays: impl Fn(u32) -> bool + Sync) -> Vec<(u32, u32)> {
-    let nodes: Vec<u32> = wood.living().collect();
+    let nodes: Vec<u32> = wood.shown().collect();
     let capsules: Vec<Capsule> = nodes.iter().map(|node| wood.internode(*node, diameters)).collect();
     let boxes: Vec<Bounds> = capsules.iter().map(|capsule| capsule.bounds(APART)).collect();
     let (any, each) = Budget::PLANT.overlaps;
@@ -82,7 +82,7 @@ fn verdict(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::growth::at_age::chains::chains;
+    use crate::growth::at_age::chains::{Life, chains};
     use crate::growth::tree::{NONE, NewNode};
     use glam::vec3;
 
@@ -114,11 +114,11 @@ mod tests {
 
     fn branches(toward: f32) -> Vec<usize> {
         let (tree, at, diameters) = tree(toward);
-        let mut lives = vec![true; tree.len()];
-        let whole = chains(&tree, &lives, &at, &diameters);
+        let mut life = vec![Life::Living; tree.len()];
+        let whole = chains(&tree, &life, &at, &diameters);
         let cuts = cuts(&whole, &tree, (&at, &diameters), |node| node <= 10, &[]);
-        cuts.iter().for_each(|cut| lives[*cut as usize..].fill(false));
-        chains(&tree, &lives, &at, &diameters)
+        cuts.iter().for_each(|cut| life[*cut as usize..].fill(Life::Gone));
+        chains(&tree, &life, &at, &diameters)
             .chains
             .iter()
             .map(|c| (c.range.1 - c.range.0) as usize)

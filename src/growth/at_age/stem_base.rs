@@ -7,7 +7,7 @@
 //!
 //! Limits: drawn trunks stay where they were drawn. Buds and markers, as overlays show them, are not moved.
 
-use super::chains::Chains;
+use super::chains::{Chains, Life};
 use crate::growth::tree::{NONE, Tree};
 use crate::plant::StemBase;
 use glam::Vec3;
@@ -30,15 +30,15 @@ fn base(tree: &Tree, feet: &[u32], diameters: &[f32]) -> StemBase {
     StemBase::below(middle, feet.iter().map(|foot| 0.5 * diameters[*foot as usize]))
 }
 
-/// Brings the stems of a bush to their base. `lives` is for every node that has been born.
-pub(super) fn gather(tree: &Tree, lives: &[bool], at: &mut [Vec3], diameters: &[f32]) {
+/// Brings the stems of a bush to their base. `life` is for every node that has been born.
+pub(super) fn gather(tree: &Tree, life: &[Life], at: &mut [Vec3], diameters: &[f32]) {
     let feet = feet(tree);
-    let Some(leader) = feet.first().map(|first| leader(tree, lives).unwrap_or(*first)) else { return };
+    let Some(leader) = feet.first().map(|first| leader(tree, life).unwrap_or(*first)) else { return };
     let base = base(tree, &feet, diameters);
     let ways = ways(tree, &feet, leader, &base);
     // Feet come first, and parents before their children.
-    let mut root: Vec<usize> = Vec::with_capacity(lives.len());
-    for (n, place) in at.iter_mut().enumerate().take(lives.len()) {
+    let mut root: Vec<usize> = Vec::with_capacity(life.len());
+    for (n, place) in at.iter_mut().enumerate().take(life.len()) {
         let parent = tree.nodes.parent[n];
         root.push(if parent == NONE { n } else { root[parent as usize] });
         let way = ways[root[n]];
@@ -67,9 +67,9 @@ fn ways(tree: &Tree, feet: &[u32], leader: u32, base: &StemBase) -> Vec<Vec3> {
 }
 
 /// The foot of the stem whose chain is the first.
-fn leader(tree: &Tree, lives: &[bool]) -> Option<u32> {
+fn leader(tree: &Tree, life: &[Life]) -> Option<u32> {
     let parents = &tree.nodes.parent;
-    let first = (0..lives.len()).find(|n| lives[*n] && parents[*n] != NONE)?;
+    let first = (0..life.len()).find(|n| life[*n] != Life::Gone && parents[*n] != NONE)?;
     std::iter::successors(Some(first as u32), |n| Some(parents[*n as usize]).filter(|p| *p != NONE)).last()
 }
 
@@ -154,9 +154,9 @@ mod tests {
     fn wood_high_above_the_base_stays_where_it_grew() {
         let bush = bush(7, 8);
         let tree = bush.tree();
-        let lives = vec![true; tree.len()];
+        let life = vec![Life::Living; tree.len()];
         let (mut at, diameters) = (tree.nodes.at.clone(), vec![0.02; tree.len()]);
-        gather(tree, &lives, &mut at, &diameters);
+        gather(tree, &life, &mut at, &diameters);
         let moved = |n: &usize| at[*n].distance(tree.nodes.at[*n]);
         let high: Vec<usize> = (0..tree.len()).filter(|n| tree.nodes.at[*n].y > 1.0).collect();
         assert!(high.len() > 20 && high.iter().all(|n| moved(n) == 0.0));

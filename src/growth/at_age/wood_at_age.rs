@@ -6,7 +6,10 @@
 //! one place to the other. Nodes that are there at its end only have grown in it, or have found room again, and grow out
 //! of their parents.
 //!
-//! Limits: what is there at the year's beginning only, because it is shed or cut in that year, is gone as soon as the
+//! Branches that are shed die: they lose their leaves at once and fall bit by bit, thin wood before thick wood, as the habit's
+//! `dead_years` say.
+//!
+//! Limits: what is there at the year's beginning only, because it falls or is cut in that year, is gone as soon as the
 //! year runs. Which internode goes on at a fork is that of the year's end all through it. Leaves fall in one moment, and
 //! those of an end that was cut are there in one.
 
@@ -83,14 +86,15 @@ fn at_the_end(simulation: &Simulation, tree: &Tree, year: u16) -> WoodAtAge {
     let habit = simulation.habit();
     let passes = |from: Vec3, to: Vec3| simulation.obstacles().is_some_and(|beside| beside.crosses(from, to));
     let diameters = diameter::diameters(tree, habit, f32::from(year));
-    let (lives, mut places) = (chains::living(tree, year), tree.nodes.at.clone());
-    stem_base::gather(tree, &lives, &mut places, &diameters);
+    let stays = |node: usize| habit.dead_years * 100.0 * diameters[node];
+    let (life, mut places) = (chains::life(tree, year, stays), tree.nodes.at.clone());
+    stem_base::gather(tree, &life, &mut places, &diameters);
     for (place, grown) in places.iter_mut().zip(&tree.nodes.at) {
         if passes(*grown, *place) {
             *place = *grown;
         }
     }
-    let (mut chains, mut at) = pruning::pruned(tree, lives, &places, &diameters, habit.pipe);
+    let (mut chains, mut at) = pruning::pruned(tree, life, &places, &diameters, habit.pipe);
     aside::bend(tree, &mut chains, &mut at, &diameters, &passes);
     let grown = vec![1.0; chains.of_node.len()];
     WoodAtAge { chains, at, diameters, grown }

@@ -14,7 +14,7 @@
 //!   shrink.
 //! - counts and caps: `shoot`, `laterals`, `flower_cluster` and the leaves' numbers. What is whole cannot change
 //!   gradually.
-//! - ages and times: `flower_age`, `bud_life`, `shed_after`, `flower_years`, and the years that wood has leaves.
+//! - ages and times: `flower_age`, `bud_life`, `shed_after`, `dead_years`, `flower_years`, and the years that wood has leaves.
 
 use super::arrangement::Arrangement;
 use super::leaf::LeafHabit;
@@ -65,6 +65,10 @@ crate::parameters! {
         falloff: f32 = 1.6, 1.01..=20.0, "";
         /// Layers q_max that a shadow reaches down.
         depth: u32 = 6, 0..=24, "voxels";
+        /// How far to the side a shadow falls with each layer down: light comes from the other side.
+        slant: f32 = 0.0, 0.0..=2.0, "voxels";
+        /// The side that slanting light comes from: 0 is the right, 90 the front.
+        side: f32 = 0.0, -180.0..=180.0, "degrees";
         choices:
         /// Where buds find more light.
         toward: Toward = Toward::Gradient;
@@ -170,6 +174,10 @@ crate::parameters! {
         level: Schedule = 0.0, 0.0..=10.0, "";
         /// Weight of a random direction.
         wander: Schedule = 0.12, 0.0..=10.0, "";
+        /// Weight of the direction in which the wind blows.
+        wind: Schedule = 0.0, 0.0..=2.0, "";
+        /// Where the wind blows to: 0 is the right, 90 the front.
+        wind_toward: f32 = 0.0, -180.0..=180.0, "degrees";
         /// Resource that a plant makes of what its buds earn, α of eq. 2.4.
         supply: Schedule = 2.0, 0.0..=20.0, "";
         /// Share λ of the continuing axis on trunks, eq. 2.4: above 0.5 a leader, below a shrub. For species of the Borchert–Honda model.
@@ -200,6 +208,8 @@ crate::parameters! {
         shed: Schedule = 0.1, 0.0..=10.0, "";
         /// Years that a branch has before it may be shed.
         shed_after: u32 = 3, 0..=100, "years";
+        /// Years that dead wood stays before it falls, for each centimetre of its thickness.
+        dead_years: f32 = 0.0, 0.0..=10.0, "years/cm";
         /// Height below which branches of the trunk are shed.
         bole: Schedule = 0.0, 0.0..=100.0, "metres";
         /// Least height of a branch above the ground.
@@ -242,6 +252,7 @@ impl Habit {
         habit.height *= factor;
         habit.internode *= factor;
         habit.tip *= factor;
+        habit.dead_years /= factor;
         habit.leaf.length = habit.leaf.length.times(factor);
         (habit.bole, habit.clearance) = (habit.bole.times(factor), habit.clearance.times(factor));
         if let Some(crown) = &mut habit.crown {

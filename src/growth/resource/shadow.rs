@@ -5,12 +5,14 @@
 //! shades itself; it would grow along the negative gradient of s, or toward the least s of the 26 voxels around its own
 //! (001 §2.2 has both; there only voxels that the bud perceives count, here those behind it do too).
 //!
+//! Where light comes from one side (ours), each layer of the pyramid lies a little further to the other side than the one above it.
+//!
 //! Shadows are whole numbers of a small unit, so what is added can be taken away again without a trace and the order of
 //! adding does not matter. The unit is [`FINEST`], or larger where the darkest voxel that the plant's nodes could make
 //! together would not fit into 32 bits otherwise. The grid grows with the plant.
 
 use crate::growth::habit::{LightHabit, Toward};
-use glam::{IVec3, Vec3};
+use glam::{IVec2, IVec3, Vec2, Vec3};
 
 /// Units of shadow in a shadow of 1, at most.
 pub(crate) const FINEST: f32 = 65536.0;
@@ -29,6 +31,8 @@ pub struct Shadow {
     dark: Vec<u32>,
     /// Shadow of one node by layer.
     layers: Vec<u32>,
+    /// How far to the side each layer lies, voxels along x and z.
+    aside: Vec<IVec2>,
     /// Units of shadow in a shadow of 1.
     units: f32,
     /// Nodes that cast shadows now.
@@ -54,12 +58,15 @@ impl Shadow {
         let darkest = f64::from(light.darkening.max(f32::MIN_POSITIVE)) * nodes.max(1) as f64 * 1.01;
         let units = (f64::from(u32::MAX) / darkest).min(f64::from(FINEST)) as f32;
         let layer = |q: u32| (light.darkening * light.falloff.powi(-(q as i32)) * units).round() as u32;
+        let (sin, cos) = light.side.to_radians().sin_cos();
+        let aside = |q: u32| (Vec2::new(cos, sin) * (-light.slant * q as f32)).round().as_ivec2();
         Self {
             voxel,
             low: IVec3::ZERO,
             size: IVec3::ZERO,
             dark: Vec::new(),
             layers: (0..=light.depth).map(layer).collect(),
+            aside: (0..=light.depth).map(aside).collect(),
             units,
             nodes: 0,
             full: light.full,
@@ -94,16 +101,17 @@ impl Shadow {
         let Some(nodes) = nodes else { return false };
         let top = self.place(p);
         let depth = self.layers.len() as i32 - 1;
-        let reach = IVec3::new(depth + 1, 0, depth + 1);
+        let farthest = self.aside.last().map_or(0, |aside| aside.abs().max_element());
+        let reach = IVec3::new(depth + farthest + 1, 0, depth + farthest + 1);
         if !self.make_room(top - reach - IVec3::Y * (depth + 1), top + reach + IVec3::Y, most) {
             return false;
         }
         self.nodes = nodes;
-        for (q, &layer) in (0..).zip(&self.layers) {
-            let y = top.y - q - self.low.y;
-            for z in top.z - q - self.low.z..=top.z + q - self.low.z {
-                let row = (y * self.size.z + z) * self.size.x;
-                let first = (row + top.x - q - self.low.x) as usize;
+        for ((q, &layer), aside) in (0..).zip(&self.layers).zip(&self.aside) {
+            let middle = top + IVec3::new(aside.x, -q, aside.y) - self.low;
+            for z in middle.z - q..=middle.z + q {
+                let row = (middle.y * self.size.z + z) * self.size.x;
+                let first = (row + middle.x - q) as usize;
                 let voxels = &mut self.dark[first..=first + 2 * q as usize];
                 match change {
                     Change::Grown => voxels.iter_mut().for_each(|s| *s = s.saturating_add(layer)),
@@ -269,6 +277,25 @@ mod tests {
         assert_eq!([at(4.0, 2.0), at(0.0, 1.0)], [0.0, 0.0]);
         // Nobody shades itself.
         assert!((shadow.exposure(Vec3::new(0.5, 5.5, 0.5)) - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn slanting_light_casts_shadows_to_the_other_side() {
+        let light = LightHabit { depth: 3, slant: 1.5, side: 90.0, ..LightHabit::default() };
+        let mut shadow = Shadow::new(&light, 1.0, 10);
+        let at = Vec3::new(0.5, 9.5, 0.5);
+        assert!(shadow.cast(at, Change::Grown, 1 << 20));
+        let deepest = |shadow: &Shadow, z: f32| shadow.shadow(Vec3::new(0.5, 6.5, z));
+        assert!(
+            deepest(&shadow, -4.5) > 0.0 && deepest(&shadow, -1.4) > 0.0,
+            "three layers down it lies four or five voxels behind"
+        );
+        assert_eq!((deepest(&shadow, 0.5), deepest(&shadow, 4.5)), (0.0, 0.0));
+        assert!(
+            shadow.shadow(at) > 0.0 && shadow.away(at - Vec3::Y).z > 0.0,
+            "lighter where the light comes from"
+        );
+        assert!(shadow.cast(at, Change::Shed, 1 << 20) && deepest(&shadow, -4.5) == 0.0);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Where a shoot grows, and where the buds of its nodes point (001 §2.1, eq. 2.3).
 //!
 //! v = α·v_default + β·v_opt + γ·(0, 1, 0), then made a unit vector. The thesis calls (0, 1, 0) gravity; it is up, so
-//! γ > 0 lifts and γ < 0 droops. Two terms are ours: a share of the level part of the direction, for branches that
-//! grow in tiers, and a seeded wandering.
+//! γ > 0 lifts and γ < 0 droops. Three terms are ours: a share of the level part of the direction, for branches that
+//! grow in tiers, a seeded wandering, and the direction in which the wind blows, which bends a crown to one side.
 //!
 //! Each node carries a side vector square to its internode, where its first bud points. From node to node it is carried
 //! without twist and then turned by the phyllotaxis: by the divergence angle (spiral), by half a turn (alternate), by a
@@ -27,6 +27,8 @@ pub(crate) struct Weights {
     pub level: f32,
     /// Of a random direction.
     pub wander: f32,
+    /// Where the wind blows, times its weight.
+    pub wind: Vec3,
 }
 
 impl Weights {
@@ -37,12 +39,16 @@ impl Weights {
             1 => &habit.lift_branch,
             _ => &habit.lift_twig,
         };
+        let (sin, cos) = habit.wind_toward.to_radians().sin_cos();
+        // A trunk is stiffer than what it carries.
+        let yields = if order == 0 { 0.5 } else { 1.0 };
         Self {
             keep: habit.straightness.at(age),
             seek: habit.seeking.at(age),
             lift: lift.at(age),
             level: if order == 0 { 0.0 } else { habit.level.at(age) },
-            wander: if order == 0 { 0.5 * habit.wander.at(age) } else { habit.wander.at(age) },
+            wander: yields * habit.wander.at(age),
+            wind: Vec3::new(cos, 0.0, sin) * (yields * habit.wind.at(age)),
         }
     }
 
@@ -51,7 +57,7 @@ impl Weights {
         let level = Vec3::new(so_far.x, 0.0, so_far.z).normalize_or_zero();
         let random = Vec3::from_array(Choice::WANDER.signs(key));
         let sum = so_far * self.keep + best * self.seek + Vec3::Y * self.lift + level * self.level;
-        (sum + random * self.wander).try_normalize().unwrap_or(so_far)
+        (sum + random * self.wander + self.wind).try_normalize().unwrap_or(so_far)
     }
 }
 
@@ -113,7 +119,8 @@ pub(crate) fn laterals_per_node(habit: &Habit, order: u8) -> u32 {
 mod tests {
     use super::*;
 
-    const STRAIGHT: Weights = Weights { keep: 1.0, seek: 0.0, lift: 0.0, level: 0.0, wander: 0.0 };
+    const STRAIGHT: Weights =
+        Weights { keep: 1.0, seek: 0.0, lift: 0.0, level: 0.0, wander: 0.0, wind: Vec3::ZERO };
 
     #[test]
     fn lift_above_zero_lifts_and_below_droops() {
@@ -124,6 +131,16 @@ mod tests {
         assert!(seeking.next(aslant, Vec3::Z, 1).z > 0.5);
         let level = Weights { level: 2.0, ..STRAIGHT }.next(Vec3::new(0.6, 0.8, 0.0), Vec3::ZERO, 1);
         assert!(level.y < 0.4 && level.x > 0.9);
+    }
+
+    #[test]
+    fn wind_turns_branches_to_where_it_blows_and_the_trunk_half_as_much() {
+        let habit = Habit { wind: 0.2.into(), wind_toward: 90.0, wander: 0.0.into(), ..Habit::default() };
+        let turned = |order| Weights::of(&habit, order, 1.0).wind;
+        assert!(turned(1).abs_diff_eq(Vec3::Z * 0.2, 1e-6) && turned(0).abs_diff_eq(Vec3::Z * 0.1, 1e-6));
+        let against = Weights { wind: turned(1), ..STRAIGHT }.next(Vec3::NEG_Z, Vec3::ZERO, 1);
+        let across = Weights { wind: turned(1), ..STRAIGHT }.next(Vec3::X, Vec3::ZERO, 1);
+        assert!(against.z < 0.0 && across.z > 0.1 && across.is_normalized());
     }
 
     #[test]

@@ -8,7 +8,6 @@ use crate::anatomy::conventions::Made;
 use crate::anatomy::conventions::page::even;
 use crate::anatomy::conventions::shapes::medial_axis::Axis;
 use crate::anatomy::conventions::trees::evidence::ramp;
-use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 use std::f32::consts::PI;
 
@@ -284,10 +283,7 @@ fn branch(axis: &Axis) -> Made {
         point.1 = point.1.clamp(least, most.max(least));
     }
     points.extend(cap(&points));
-    let widest = points.iter().map(|p| p.1).fold(f32::MIN_POSITIVE, f32::max);
-    let point =
-        |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
-    Made { tool: Tool::Branch, points: points.into_iter().map(point).collect(), half_width: Some(widest) }
+    Made::thick(points)
 }
 
 /// A column that stands as it goes on above: its middle line begins somewhere on the edge of the area.

@@ -14,7 +14,7 @@ use crate::anatomy::conventions::trees::stacked::stacked;
 use crate::anatomy::conventions::trees::tilted;
 use crate::anatomy::conventions::trees::trunk::{Rows, Trunk};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::sketch::{Reading, StrokePoint, Tool};
+use crate::sketch::Reading;
 use glam::Vec2;
 
 /// Least width of a cap, in its heights, and where it speaks for one most.
@@ -214,7 +214,6 @@ impl<'a> Cap<'a> {
 /// sections across a bent one would tilt its rim; a stalk that stands beside it leans toward it.
 fn whole(trunk: &Trunk, cap: &Cap) -> Made {
     let middle = 0.5 * (cap.low.x + cap.high.x);
-    let widest = 0.5 * cap.width();
     let stalk: Vec<(Vec2, f32)> = trunk.rows().iter().copied().filter(|row| row.0.y > cap.high.y).collect();
     let aside = stalk.last().map_or(0.0, |row| middle - row.0.x);
     let last = stalk.len().max(2) - 1;
@@ -227,9 +226,7 @@ fn whole(trunk: &Trunk, cap: &Cap) -> Made {
         let share = 0.5 - 0.5 * (std::f32::consts::PI * (k as f32 + 0.2) / (POINTS.1 as f32 + 0.4)).cos();
         (Vec2::new(middle, cap.high.y - share * cap.height()), cap.half_at(share))
     });
-    let point =
-        |(position, half): (Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(position) };
-    Made { tool: Tool::Branch, points: leaning.chain(round).map(point).collect(), half_width: Some(widest) }
+    Made::thick(leaning.chain(round))
 }
 
 #[cfg(test)]

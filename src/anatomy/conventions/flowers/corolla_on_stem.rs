@@ -242,11 +242,8 @@ fn two_sides(a: &Line, b: &Line, head: &Line) -> Option<Made> {
     if widest > SIDES.0 * head.size().min_element() || length < SIDES.1 * widest {
         return None;
     }
-    let mut stem = Made::new(Tool::Branch, a.iter().zip(&b).map(|(a, b)| a.midpoint(*b)));
-    let pressures = widths.iter().map(|width| width / widest);
-    stem.points.iter_mut().zip(pressures).for_each(|(point, pressure)| point.pressure = pressure);
-    stem.half_width = Some(0.5 * widest);
-    Some(stem)
+    let middles = a.iter().zip(&b).map(|(a, b)| a.midpoint(*b));
+    Some(Made::thick(middles.zip(widths.iter().map(|width| 0.5 * width))))
 }
 
 /// Whether an outline without a stem is a flower and no crown, cactus or leaf: closed, deeply cut all around, its lobes alike.

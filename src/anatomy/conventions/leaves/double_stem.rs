@@ -10,7 +10,7 @@
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::{Hypothesis, Made};
 use crate::geom::polyline;
-use crate::sketch::{Reading, StrokePoint, Tool};
+use crate::sketch::Reading;
 use glam::Vec2;
 
 /// Most lines of a page: among many stems two may run side by side by chance.
@@ -89,10 +89,7 @@ fn stem(page: &Page, a: &Side, b: &Side) -> Option<Hypothesis> {
     {
         return None;
     }
-    let point =
-        |(place, half): &(Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(*place) };
-    let points = rows.iter().map(point).collect();
-    let part = Made { tool: Tool::Branch, points, half_width: Some(widest) };
+    let part = Made::thick(rows);
     let mut uses = vec![a.number, b.number];
     uses.extend(nodes.into_iter().filter(|_| is_cane));
     uses.sort_unstable();
@@ -147,6 +144,7 @@ fn has_between(page: &Page, (a, b): (&Side, &Side), (rows, nodes): (&[(Vec2, f32
 mod tests {
     use super::*;
     use crate::anatomy::conventions::{line, read_by};
+    use crate::sketch::Tool;
 
     fn side(x: f32) -> Vec<Vec2> {
         line(&[(x, 0.0), (x + 6.0, -80.0), (x + 2.0, -160.0)])

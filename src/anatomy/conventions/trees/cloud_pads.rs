@@ -11,7 +11,7 @@ use super::evidence;
 use crate::anatomy::conventions::page::{self, Line, Page, even, median};
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
 use crate::geom::polyline;
-use crate::sketch::{Reading, StrokePoint, Tool};
+use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
 /// Fewest and most clouds, and most lines that are looked at.
@@ -185,10 +185,7 @@ impl Trunk {
 
     /// It as a branch with its drawn width.
     fn branch(&self) -> Made {
-        let widest = self.rows.iter().map(|row| row.1).fold(f32::MIN_POSITIVE, f32::max);
-        let point =
-            |(place, half): &(Vec2, f32)| StrokePoint { pressure: half / widest, ..StrokePoint::at(*place) };
-        Made { tool: Tool::Branch, points: self.rows.iter().map(point).collect(), half_width: Some(widest) }
+        Made::thick(self.rows.iter().copied())
     }
 }
 

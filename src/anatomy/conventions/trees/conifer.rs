@@ -17,7 +17,7 @@ use crate::anatomy::conventions::leaves::blade;
 use crate::anatomy::conventions::page::{Line, Page};
 use crate::anatomy::conventions::shapes::spikes;
 use crate::anatomy::conventions::{Habit, Hypothesis, Made};
-use crate::sketch::{Reading, StrokePoint, Tool};
+use crate::sketch::{Reading, Tool};
 use glam::Vec2;
 
 /// Smallest fir, as a share of the drawing's diagonal, and its width, in heights of its crown.
@@ -306,11 +306,10 @@ impl Sides {
             .map_or(Vec2::new(self.middle(), self.rows[0].2), |row| Vec2::new(0.5 * (row.0 + row.1), row.2));
         let tip = self.rows[self.rows.len() - 1];
         let top = foot.lerp(Vec2::new(0.5 * (tip.0 + tip.1), tip.2), 0.95);
-        let point = |k: usize| {
+        Made::thick((0..=24).map(|k| {
             let share = k as f32 / 24.0;
-            StrokePoint { pressure: 1.0 + share * (TRUNK.1 - 1.0), ..StrokePoint::at(foot.lerp(top, share)) }
-        };
-        Made { tool: Tool::Branch, points: (0..=24).map(point).collect(), half_width: Some(half) }
+            (foot.lerp(top, share), half * (1.0 + share * (TRUNK.1 - 1.0)))
+        }))
     }
 }
 

@@ -12,7 +12,6 @@ use super::trunk_foot::{plumb, without_roots};
 use super::trunk_sides::TrunkSides;
 use crate::anatomy::conventions::Made;
 use crate::anatomy::conventions::page::{Line, median};
-use crate::sketch::{StrokePoint, Tool};
 use glam::Vec2;
 
 /// Rows that lines are divided into.
@@ -342,12 +341,7 @@ impl Trunk {
             let share = k as f32 / 12.0;
             (last.lerp(end, share), half * (1.0 + share * (INTO_CROWN.1 - 1.0)))
         }));
-        let widest = rows.iter().map(|row| row.1).fold(f32::MIN_POSITIVE, f32::max);
-        let point = |(position, half): (Vec2, f32)| StrokePoint {
-            pressure: half / widest,
-            ..StrokePoint::at(position)
-        };
-        Made { tool: Tool::Branch, points: rows.into_iter().map(point).collect(), half_width: Some(widest) }
+        Made::thick(rows)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::anatomy::conventions::Made;
 use crate::anatomy::conventions::page::{Line, Page, even};
 use crate::anatomy::conventions::shapes::spikes::extremes;
 use crate::geom::polyline;
-use crate::sketch::{StrokePoint, Tool};
+use crate::sketch::Tool;
 use glam::Vec2;
 use std::collections::BTreeSet;
 
@@ -229,16 +229,10 @@ impl TrunkSides {
 
     /// The trunk as a branch, its drawn width as pressure; a single line has none.
     pub(crate) fn branch(&self) -> Made {
-        let widest = self.middle.iter().map(|row| row.1).fold(0.0, f32::max);
         if self.is_line() {
             return Made::new(Tool::Branch, self.middle.iter().map(|row| row.0));
         }
-        let point = |(position, half): (Vec2, f32)| StrokePoint {
-            pressure: half / widest,
-            ..StrokePoint::at(position)
-        };
-        let points = plumb(self.middle.clone()).into_iter().map(point).collect();
-        Made { tool: Tool::Branch, points, half_width: Some(widest) }
+        Made::thick(plumb(self.middle.clone()))
     }
 }
 
