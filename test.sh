@@ -161,8 +161,7 @@ fetch=$!
 check "formatting" cargo fmt --check
 # Much of a compiler's work is one thread, so two work beside each other, each in a folder that the other does not lock.
 beside "lints" env CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-target}/lints" cargo clippy --quiet --all-targets -- -D warnings
-# Unit tests are many and short: without optimisation they are compiled in half the time and run in little more.
-check "unit tests" env CARGO_PROFILE_TEST_OPT_LEVEL=0 cargo test --no-fail-fast --lib
+check "unit tests" cargo test --no-fail-fast --lib
 join
 check "other tests are compiled" cargo test --quiet --no-run --bins --test '*'
 # What counts time, memory or bytes of its own, with nothing beside it.

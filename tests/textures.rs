@@ -1,5 +1,7 @@
 //! The shipped textures are what their painter paints.
 
+#![allow(clippy::unwrap_used, reason = "a failure here is a failed test")]
+
 #[path = "../examples/paint_textures/bark.rs"]
 mod bark;
 #[path = "../examples/paint_textures/catalogue.rs"]

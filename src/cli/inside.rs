@@ -7,7 +7,7 @@ use crate::growth::MAX_MESH_BYTES;
 use crate::growth::{Envelope, Field, Simulation, Solid};
 use crate::input;
 use crate::pipeline::SetupError;
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use glam::Vec3;
 use std::path::Path;
 use std::sync::Arc;
@@ -96,17 +96,28 @@ fn solid(path: &str) -> Result<Solid> {
 /// One that is too small, too large or too far away.
 pub(super) fn check_size(argument: &str, low: Vec3, high: Vec3) -> Result<()> {
     let size = high - low;
-    let (least, most) = EXTENT;
-    if size.min_element() < least || size.max_element() > most {
-        bail!(
-            "{argument}: the volume is {} × {} × {} m, but each of these must be {least} to {most}: scale it, one \
-             unit of a mesh is a metre",
-            size.x,
-            size.y,
-            size.z
-        );
-    }
+    ensure!(size.min_element() >= EXTENT.0, out_of_scale(argument, size));
+    check_largest(argument, low, high)?;
     check_place(argument, low, high)
+}
+
+/// Whether a part of a volume is no larger than plants.
+///
+/// # Errors
+/// One that is.
+pub(super) fn check_largest(argument: &str, low: Vec3, high: Vec3) -> Result<()> {
+    let size = high - low;
+    ensure!(size.max_element() <= EXTENT.1, out_of_scale(argument, size));
+    Ok(())
+}
+
+fn out_of_scale(argument: &str, size: Vec3) -> String {
+    let (least, most) = EXTENT;
+    let [width, height, depth] = size.to_array();
+    format!(
+        "{argument}: the volume is {width} × {height} × {depth} m, but each of these must be {least} to {most}: scale it, one \
+         unit of a mesh is a metre"
+    )
 }
 
 /// Whether a body is not too far away; `argument` is how it was given.

@@ -105,6 +105,12 @@ fn model(shaped: &[Shaped]) -> Model {
 pub fn volume(file: &Path) -> Result<(Envelope, Vec<Branch>)> {
     let crown = text::read(file).context("--lobes")?;
     let shaped = shaped(&crown, file).context("--lobes")?;
+    // One that is too large by itself need not be joined to the others first.
+    for lobe in shaped.iter().filter(|lobe| !lobe.negative) {
+        let (low, high) = lobe.surface.bounds();
+        let argument = format!("--lobes {}: lobe `{}`", file.display(), quote::name(&lobe.name));
+        inside::check_largest(&argument, low, high)?;
+    }
     let union = Lobes::new(&shaped).with_context(|| format!("--lobes {}", file.display()))?;
     ensure!(
         !union.parts().is_empty(),

@@ -68,26 +68,22 @@ fn another_drawing_and_a_species_of_an_age_stand_in_the_garden_as_they_stand_alo
         stroke(aged(None), [9.0, -9.0], [9.0, -9.0]),
     ];
     let mut sketch = drawn(garden);
-    let height = |sketch: &Sketch, kind: usize| {
-        let garden = build(sketch, &species, &params(sketch, &species)).garden.unwrap();
-        garden.stock.kinds[kind].individuals[0].height()
-    };
-    let garden = build(&sketch, &species, &params(&sketch, &species)).garden.unwrap();
+    let garden_of = |sketch: &Sketch| build(sketch, &species, &params(sketch, &species)).garden.unwrap();
+    let garden = garden_of(&sketch);
     let counts = garden.plants_of_each_kind();
     assert!(counts[0] > 2 && counts[1..] == [1, 1], "{counts:?}");
-    assert_eq!(garden.stock.kinds[0].name, "shrub");
+    let kinds = &garden.stock.kinds;
+    assert_eq!(kinds[0].name, "shrub");
+    let height = |kind: usize| kinds[kind].individuals[0].height();
     let daisy = Species::built_in("daisy").unwrap();
     let alone = build(&other, &daisy, &params(&other, &daisy));
-    assert_eq!(height(&sketch, 0), alone.model.bounds().unwrap().1.y, "as its own species has it");
-    assert!(height(&sketch, 1) < 0.7 * height(&sketch, 2), "three years are not many");
+    assert_eq!(height(0), alone.model.bounds().unwrap().1.y, "as its own species has it");
+    assert!(height(1) < 0.7 * height(2), "three years are not many");
     // The time of the year is that of all.
-    let triangles = |sketch: &Sketch| {
-        let garden = build(sketch, &species, &params(sketch, &species)).garden.unwrap();
-        garden.stock.kinds[2].individuals[0].triangle_count()
-    };
-    let summer = triangles(&sketch);
+    let summer = kinds[2].individuals[0].triangle_count();
     sketch.params.insert("season".into(), serde_json::json!({"time": 5.0}));
-    assert_ne!(triangles(&sketch), summer, "the oak is bare");
+    let spring = garden_of(&sketch).stock.kinds[2].individuals[0].triangle_count();
+    assert_ne!(spring, summer, "the oak is bare");
 }
 
 #[test]
